@@ -1,5 +1,5 @@
 /** The open project of a tab; saves its changes at a limited rate. */
-import type {Design} from '../../model/design/design.js';
+import type {Design, DesignGarment} from '../../model/design/design.js';
 import {mapped, type History} from '../../model/design/history.js';
 import {nameOf} from '../../model/documents/project-name.js';
 import {fieldOf} from '../../model/base/read.js';
@@ -62,6 +62,8 @@ export class OpenProject {
   /** Preview image, once there is one. */
   thumbnail: Blob | undefined;
   readonly #autosave: Autosave;
+  /** Names a project without a title. */
+  readonly #named: (garment: DesignGarment) => string;
   readonly #origin: Origin;
   #id: string;
   #history: History<Step>;
@@ -75,9 +77,15 @@ export class OpenProject {
   /** Time of the last save. [ms] */
   #moment = -Infinity;
 
-  constructor(autosave: Autosave, history: History<Step>, announced: Announced = {}) {
+  constructor(
+    autosave: Autosave,
+    history: History<Step>,
+    announced: Announced = {},
+    named: (garment: DesignGarment) => string = nameOf,
+  ) {
     const {id = crypto.randomUUID(), title, origin, isKept} = announced;
     this.#autosave = autosave;
+    this.#named = named;
     this.#id = id;
     this.title = title;
     this.#history = history;
@@ -100,7 +108,7 @@ export class OpenProject {
   }
 
   get name(): string {
-    return this.title ?? nameOf(this.#history.present.design.garment);
+    return this.title ?? this.#named(this.#history.present.design.garment);
   }
 
   /** Returns whether the project belongs in the list. */
@@ -140,7 +148,7 @@ export class OpenProject {
     // another tab may rename it once it is stored
     const title = this.#written ? undefined : this.title;
     const isKept = await this.#autosave.save(this.#id, {
-      name: nameOf(history.present.design.garment),
+      name: this.#named(history.present.design.garment),
       state: stateOf(history),
       isDraft: !this.isWorthListing,
       ...(title !== undefined && {title}),

@@ -3,7 +3,7 @@
  */
 import type {Design, DesignGarment} from '../../model/design/design.js';
 import {begun, type History} from '../../model/design/history.js';
-import {longestName, withoutEnding} from '../../model/documents/project-name.js';
+import {longestName, nameOf, withoutEnding} from '../../model/documents/project-name.js';
 import {fieldOf} from '../../model/base/read.js';
 import {textsOf} from '../../texts/texts.js';
 import type {Step} from '../../workbench/state.js';
@@ -31,6 +31,12 @@ export class Projects {
   /** Number of the workbench's beginning that started the current project. */
   #beginning = -1;
   #announced: Announced | undefined;
+
+  /** Names a project after its garment, a sample in the user's language. */
+  readonly #named = (garment: DesignGarment): string => {
+    const {samples} = this.#workbench.preferences.texts;
+    return nameOf(garment, samples.garments[garment.sample?.style ?? '']);
+  };
 
   /** @param report called once for each kind of trouble that prevents saving */
   constructor(workbench: Workbench, report: (trouble: StorageTrouble) => void) {
@@ -256,7 +262,7 @@ export class Projects {
     void before?.flush();
     this.#beginning = beginnings;
     this.#announced = undefined;
-    this.#present = new OpenProject(this.#autosave, history, announced);
+    this.#present = new OpenProject(this.#autosave, history, announced, this.#named);
     this.#tell();
     // users of the list know that the previous project stays in it
     if (before?.isWorthListing && !announced?.isListed) this.#offerBack(before);

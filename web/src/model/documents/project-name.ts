@@ -19,10 +19,16 @@ export function shortened(name: string, most: number = longestName): string {
   return letters.length > most ? `${letters.slice(0, most - 1).join('')}…` : name;
 }
 
-/** Name of a project before its owner chooses one. */
-export const nameOf = ({name, sample}: Pick<DesignGarment, 'name' | 'sample'>): string =>
+/**
+ * Name of a project before its owner chooses one.
+ * @param style of a sample, in the user's language
+ */
+export const nameOf = (
+  {name, sample}: Pick<DesignGarment, 'name' | 'sample'>,
+  style?: string,
+): string =>
   sample
-    ? [readable(sample.style), sample.size.toUpperCase()].join(', ')
+    ? [style ?? readable(sample.style), sample.size.toUpperCase()].join(', ')
     : shortened(withoutEnding(name));
 
 /** A name as part of a file name, without the characters that some system forbids. */
