@@ -100,6 +100,7 @@ const webRooms: Readonly<Record<string, readonly string[]>> = {
     ...model,
     'image',
     'files',
+    'layout',
     'solver',
     'scene',
     'picture',

@@ -8,8 +8,8 @@ export const mirrored = ({angle, translation}: Alignment, [x, y]: Point): Point 
   plus(rotated([-x, y], angle), translation);
 
 /** The element at `index`, which must exist; negative indices count from the end. */
-export function at<T>(list: readonly T[], index: number): T {
-  const value = list.at(index);
+export function at<T>(list: ArrayLike<T>, index: number): T {
+  const value = list[index < 0 ? list.length + index : index];
   if (value === undefined) throw new RangeError(`no element ${index} of ${list.length}`);
   return value;
 }

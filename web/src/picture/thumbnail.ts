@@ -12,7 +12,7 @@ const shownWidth = 480;
 /** Space around the pieces. [px of the drawing] */
 const margin = 12;
 
-export interface ThumbnailOptions {
+interface ThumbnailOptions {
   /** Title for readers that do not see the drawing. */
   readonly title: string;
   /** Placements of the pieces on the body by panel key, for the layout of the page. */

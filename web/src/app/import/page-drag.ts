@@ -4,7 +4,7 @@ import type {Point} from '../../model/geometry/vectors.js';
 /** Distance from which a movement is a drag. [px] */
 const least = 6;
 
-export interface PageDrag {
+interface PageDrag {
   /** Called for a press without movement. */
   readonly onClick: () => void;
   /** Called with the point of the sheet where the page is dropped. [mm] */
