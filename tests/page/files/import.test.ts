@@ -88,7 +88,7 @@ it('puts the pages of a PDF together, and anew as its user corrects it', async (
   const scale = dialog.getByLabel('Scale 1 : n');
   await scale.fill('2');
   await scale.press('Tab');
-  await dialog.getByText('55.1 cm × 84.9 cm, half, on the fold').first().waitFor();
+  await dialog.getByText('55.1 cm × 84.8 cm, half, on the fold').first().waitFor();
   await scale.fill('1');
   await scale.press('Tab');
   await dialog.getByText('27.6 cm × 42.4 cm, half, on the fold').first().waitFor();
