@@ -60,7 +60,7 @@ it('puts the pages of a PDF together, and anew as its user corrects it', async (
   const dialog = await offered(page, tiledPdf());
   await dialog.getByText('4 of 4 pieces').waitFor();
   await dialog.getByText('26.8 cm × 41.2 cm, half, on the fold').first().waitFor();
-  await dialog.getByText('Without a pattern: 1', {exact: true}).waitFor();
+  await dialog.getByText('Left out: 1', {exact: true}).waitFor();
   await dialog.getByLabel('Size').selectOption('40');
   await dialog.getByText('27.6 cm × 42.4 cm, half, on the fold').first().waitFor();
   // two columns put wrong pages beside each other
@@ -73,6 +73,24 @@ it('puts the pages of a PDF together, and anew as its user corrects it', async (
     .waitFor();
   await columns.fill('4');
   await columns.press('Tab');
+  await dialog.getByText('27.6 cm × 42.4 cm, half, on the fold').first().waitFor();
+  // and so do pages that change places
+  const [one, other] = [2, 6].map((number) =>
+    dialog.locator('.page').filter({hasText: `Page ${String(number)}:`}),
+  );
+  await one?.dragTo(other ?? one);
+  await dialog
+    .getByText(/Pages \d+ and \d+ do not meet/)
+    .first()
+    .waitFor();
+  await one?.dragTo(other ?? one);
+  await dialog.getByText('27.6 cm × 42.4 cm, half, on the fold').first().waitFor();
+  const scale = dialog.getByLabel('Scale 1 : n');
+  await scale.fill('2');
+  await scale.press('Tab');
+  await dialog.getByText('55.1 cm × 84.8 cm, half, on the fold').first().waitFor();
+  await scale.fill('1');
+  await scale.press('Tab');
   await dialog.getByText('27.6 cm × 42.4 cm, half, on the fold').first().waitFor();
   await dialog.getByLabel('Seam allowance (cm)').fill('1');
   await dialog.getByLabel('Seam allowance (cm)').press('Tab');

@@ -6,7 +6,6 @@ import {controls} from '../../editor/style/controls.js';
 import {WorkbenchElement} from '../../editor/base/workbench-element.js';
 import {icon} from '../../editor/style/icons.js';
 import {unitsInMetre, type FileUnit} from '../../model/garment/garment-document.js';
-import {densities} from '../../files/base/units.js';
 import type {ImportTexts} from '../../texts/import-texts.js';
 import {chosenAlso, largestOf} from './choices.js';
 import {sheetDialog} from '../../editor/style/sheet-dialog.js';
@@ -14,6 +13,7 @@ import {importStyle} from './import-style.js';
 import {allowanceChoice, pageChoice, pagePreview, type ShownPages} from './page-choice.js';
 import {pieceChoice, ruler, type ShownChoices} from './piece-choice.js';
 import {WorkerComplaint} from '../worker/ask.js';
+import {scaleChoice} from './scale-choice.js';
 import {drawingAgain, drawingIn, garmentFrom, type ShownDrawing} from './reading.js';
 import type {Drawing, DrawingOptions} from '../../model/garment/imported-drawing.js';
 import type {Format} from '../../texts/format.js';
@@ -89,37 +89,6 @@ function unitChoice(
   </section>`;
 }
 
-/**
- * Choice of the pixels per inch of an SVG file.
- * @param isWaiting true while the file is being read again
- */
-function densityChoice(
-  {kind}: Drawing,
-  density: number | undefined,
-  isWaiting: boolean,
-  choose: (density: number | undefined) => void,
-  words: ImportTexts,
-): TemplateResult | typeof nothing {
-  if (kind !== 'svg') return nothing;
-  return html`<section>
-    <label>
-      ${words.density}
-      <select
-        ?disabled=${isWaiting}
-        @change=${({target}: Event) => {
-          const {value} = target as HTMLSelectElement;
-          choose(value === '' ? undefined : Number(value));
-        }}
-      >
-        <option value="" ?selected=${density === undefined}>${words.asInFile}</option>
-        ${densities.map(
-          (one) => html`<option value=${one} ?selected=${one === density}>${String(one)}</option>`,
-        )}
-      </select>
-    </label>
-  </section>`;
-}
-
 export type FileUse = 'drawing' | 'print';
 
 /**
@@ -135,7 +104,6 @@ export class ImportSheet extends WorkbenchElement {
     shown: {state: true},
     unit: {state: true},
     choices: {state: true},
-    density: {state: true},
     isOuterSewn: {state: true},
     options: {state: true},
     isBusy: {state: true},
@@ -149,10 +117,8 @@ export class ImportSheet extends WorkbenchElement {
   declare protected shown: ShownDrawing | undefined;
   declare protected unit: FileUnit;
   declare protected choices: readonly PieceChoice[];
-  /** Pixels per inch; undefined as in the file. */
-  declare protected density: number | undefined;
   declare protected isOuterSewn: boolean;
-  /** Choices of how the pages of a PDF are put together. */
+  /** Choices of how the file is read. */
   declare protected options: DrawingOptions;
   declare protected isBusy: boolean;
   declare protected trouble: string | undefined;
@@ -186,7 +152,6 @@ export class ImportSheet extends WorkbenchElement {
     this.shown = shown;
     ({unit: this.unit, pieces: this.choices} = shown.first);
     this.isOuterSewn = false;
-    this.density = undefined;
     this.options = {};
     await this.#show();
   }
@@ -261,7 +226,10 @@ export class ImportSheet extends WorkbenchElement {
                   format,
                 )
           }
-          ${densityChoice(drawing, this.density, this.isBusy, this.#readDensity, words)}
+          ${scaleChoice({
+            ...{drawing, words, options: this.options, isBusy: this.isBusy, texts: this.texts},
+            choose: this.#readScale,
+          })}
           ${this.#lines(shown)} ${this.#notes(shown)}
         </div>
         <div class="pieces">
@@ -341,44 +309,32 @@ export class ImportSheet extends WorkbenchElement {
     </footer>`;
   }
 
-  /** Puts the pages of a PDF together with other options. */
+  /** Reads the file, or puts the pages of a PDF together, with other options. */
   #readAgain(options: DrawingOptions): void {
+    const isOtherDensity = options.pixelsPerInch !== this.options.pixelsPerInch;
     this.options = options;
     void this.#busy(async (signal) => {
       const {file, shown, choices} = this;
-      if (!file || !shown?.opened) return;
-      const read = await drawingAgain(shown.opened, file.name, options, signal);
+      if (!file || !shown) return;
+      const read = shown.opened
+        ? await drawingAgain(shown.opened, file.name, options, signal)
+        : await drawingIn(file, signal, options);
       if (this.options !== options) return;
       this.choices = chosenAlso(read, shown, choices);
+      if (isOtherDensity) this.unit = read.first.unit;
       this.shown = read;
     });
   }
 
   readonly #readSize = (size: string): void => {
-    if (this.shown?.opened) {
-      this.#readAgain({...this.options, size});
-      return;
-    }
-    void this.#busy(async (signal) => {
-      const {file, shown, choices} = this;
-      if (!file || !shown) return;
-      const read = await drawingIn(file, signal, {size});
-      this.choices = chosenAlso(read, shown, choices);
-      this.shown = read;
-    });
+    this.#readAgain({...this.options, size});
   };
 
-  readonly #readDensity = (density: number | undefined): void => {
-    void this.#busy(async (signal) => {
-      const {file, shown, choices} = this;
-      if (!file || !shown) return;
-      const options = density === undefined ? {} : {pixelsPerInch: density};
-      const read = await drawingIn(file, signal, options);
-      this.choices = chosenAlso(read, shown, choices);
-      this.unit = read.first.unit;
-      this.shown = read;
-      this.density = density;
-    });
+  readonly #readScale = (change: DrawingOptions): void => {
+    const {pixelsPerInch, ...others} = this.options;
+    const isScale = change.scale !== undefined;
+    const density = isScale && pixelsPerInch !== undefined ? {pixelsPerInch} : {};
+    this.#readAgain({...others, ...density, ...change});
   };
 
   readonly #open = async (signal: AbortSignal): Promise<void> => {

@@ -94,6 +94,9 @@ export const importStyle = css`
     cursor: grabbing;
     opacity: 0.7;
   }
+  .sheet:has(.dragged) .page:not(.dragged) rect {
+    fill: none;
+  }
   .page.dragged rect {
     stroke: var(--sw-accent);
     stroke-width: 2;

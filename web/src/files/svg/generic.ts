@@ -23,7 +23,6 @@ import {
 import {leastPiece, rolesOf, type Candidate, type Roles, type RolesOfPiece} from '../base/roles.js';
 import {countOf, saysFold} from '../base/words.js';
 import type {XmlElement} from '../base/xml.js';
-import {withArrows} from './arrows.js';
 import {closedStrokes, loopsOf, type Loop, type Stroke} from './nesting.js';
 import {isFaint, isForHelp, isPainted} from './paint.js';
 import {valentina} from './lengths.js';
@@ -117,7 +116,7 @@ function hinted({drawers}: Loop): Pick<Candidate, 'stated'> {
 /** @param isNamedByGroup if labels of groups name pieces, before any text */
 export function genericPieces(whole: Sheet, {isNamedByGroup = false} = {}): Found {
   const painted = whole.drawn.filter(isPainted);
-  const sheet = {...whole, drawn: withArrows(painted)};
+  const sheet = {...whole, drawn: painted};
   const strokes = strokesOf(sheet);
   const squares = testSquares(sheet);
   const closed = closedStrokes(strokes).map((loop) => candidateOf(loop, squares));

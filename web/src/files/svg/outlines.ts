@@ -8,8 +8,16 @@ import {chainsOf} from '../base/chains.js';
 import {traceTolerance} from '../base/edges.js';
 import type {Line} from './lines.js';
 
+const traced = new WeakMap<Run, readonly Point[]>();
+
 /** Points along a line, including its ends. */
-export const pointsOf = (line: Run): Point[] => tracedRun(line, traceTolerance);
+export function pointsOf(line: Run): readonly Point[] {
+  const known = traced.get(line);
+  if (known) return known;
+  const points = tracedRun(line, traceTolerance);
+  traced.set(line, points);
+  return points;
+}
 
 /** Points of a closed line without repeating the first. */
 export const rimOf = (loop: Run): Point[] => pointsOf(loop).slice(0, -1);

@@ -15,6 +15,7 @@ import {FileError} from '../../model/base/versioned-file.js';
 import {mapped} from '../base/bezier.js';
 import {cmPer, guessedUnit} from '../base/units.js';
 import {readXml, type XmlDocument} from '../base/xml.js';
+import {withArrows} from './arrows.js';
 import {freesewingPieces} from './freesewing.js';
 import {genericPieces, largestClosed, type Found} from './generic.js';
 import {programOf, scaleOf} from './lengths.js';
@@ -150,7 +151,9 @@ function foundIn(sheet: Sheet): Found {
   const found = freesewingPieces(sheet);
   if (found.pieces.length > 0) return found;
   const own = ownSheet(sheet);
-  return own ? genericPieces(own, {isNamedByGroup: true}) : genericPieces(sheet);
+  const {drawn, ...rest} = own ?? sheet;
+  const isNamedByGroup = own !== undefined;
+  return genericPieces({...rest, drawn: withArrows(drawn)}, {isNamedByGroup});
 }
 
 /** Returns whether pieces have a wearable size. [mm] */
