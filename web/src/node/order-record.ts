@@ -3,7 +3,6 @@ import {garmentTitle, panelMarks} from '../model/garment/panel-marks.js';
 import type {FiledGarment, FiledPrint} from '../model/documents/stored-design.js';
 import {decidedOf} from '../model/design/design.js';
 import {seamCount} from '../model/result/seam-groups.js';
-import {placementsIn} from '../layout/on-body.js';
 import {thumbnail} from '../picture/thumbnail.js';
 import {seamGroupsOf} from '../scene/group-states.js';
 import type {SolverService} from '../solver/service.js';
@@ -66,7 +65,7 @@ export async function recordOf(
       {...print, ...(tile !== undefined && {tile})},
       {
         title,
-        placements: placementsIn(panelMarks(garment, decidedOf(design))),
+        panels: panelMarks(garment, decidedOf(design)),
         ...(plain && {plain}),
       },
     ),

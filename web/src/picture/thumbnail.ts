@@ -2,7 +2,7 @@
 import {pieceNames} from '../model/garment/piece-names.js';
 import type {SolveResult} from '../model/result/result.js';
 import {finalMismatch} from '../scene/mismatch.js';
-import type {Placements} from '../layout/on-body.js';
+import {placementsIn} from '../layout/on-body.js';
 import {escaped, short} from '../files/svg/written.js';
 import {fabricTile, type PrintWithTile} from './fabric.js';
 import {drawPieces, laidOut, nameSize, type Scene} from './draw-pieces.js';
@@ -15,8 +15,8 @@ const margin = 12;
 interface ThumbnailOptions {
   /** Title for readers that do not see the drawing. */
   readonly title: string;
-  /** Placements of the pieces on the body by panel key, for the layout of the page. */
-  readonly placements?: Placements;
+  /** Panels with their placements on the body, for the layout of the page. */
+  readonly panels: Parameters<typeof placementsIn>[0];
   /** Names of pieces that are cut from plain fabric. */
   readonly plain?: readonly string[];
 }
@@ -28,12 +28,12 @@ interface ThumbnailOptions {
 export function thumbnail(
   result: SolveResult,
   print: PrintWithTile,
-  {title, placements, plain = []}: ThumbnailOptions,
+  {title, panels, plain = []}: ThumbnailOptions,
 ): string {
   const keys = result.pieces.map(({name}) => name);
   const called = pieceNames(new Map(keys.map((key) => [key, undefined])));
   const names = keys.map((key) => called.get(key) ?? key);
-  const {layout, scale} = laidOut(result, names, placements);
+  const {layout, scale} = laidOut(result, names, placementsIn(panels));
   const [wide, high] = [layout.width, layout.height].map((side) => side * scale + 2 * margin);
   const scene: Scene = {
     ...{result, print, layout, scale, names, plain},
