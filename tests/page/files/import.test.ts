@@ -109,7 +109,9 @@ it(
     const before = await designOf(page);
     const pieces = await samplePieces();
     const dialog = await offered(page, dxf(plainDxf(pieces)));
-    await dialog.getByText(/Largest piece 6\d(\.\d)? cm, unit mm, guessed from the size\./).waitFor();
+    await dialog
+      .getByText(/Largest piece 6\d(\.\d)? cm, unit mm, guessed from the size\./)
+      .waitFor();
     await dialog.getByRole('img', {name: 'Ruler, 20 cm'}).waitFor();
     await dialog.getByText('4 of 4 pieces').waitFor();
     for (const name of ['Front', 'Back', 'Sleeve left', 'Sleeve right'])

@@ -242,9 +242,7 @@ it('sets sleeves in by keys alone, without a piece that moves', {tags: ['thoroug
   await page.keyboard.press('a');
   await expect
     .poll(() => sides(page))
-    .toEqual([
-      ...['back 1 - front 7', 'back 3 - front 5', 'back 5 - front 3', 'back 7 - front 1'],
-    ]);
+    .toEqual([...['back 1 - front 7', 'back 3 - front 5', 'back 5 - front 3', 'back 7 - front 1']]);
   await says(page, /\?/);
   await page.keyboard.press('q');
 

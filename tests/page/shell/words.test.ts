@@ -12,7 +12,7 @@ it('says notes on a garment and faults of files in German, around the place in t
   const page = await openPage({
     ...{locale: 'de-DE', query: '?garment=/garments/gathered-skirt-m.json'},
   });
-  await page.getByText(/^In .* ausgerichtet$/).waitFor({timeout: 60_000});
+  await page.getByText(/^In .* angepasst$/).waitFor({timeout: 60_000});
   await page.getByText(/^Hinweise/).click();
   await page
     .getByText(/Eine Seite ist um mehr als ein Zehntel länger .*: Taille vorn, Taille hinten\./)
@@ -25,5 +25,5 @@ it('says notes on a garment and faults of files in German, around the place in t
     .waitFor();
   await choose(page, 'Mein Schnitt', jsonFile('ergebnis.json', {format: 'seamwise-result/1'}));
   await alert.filter({hasText: 'ergebnis.json ist ein Ergebnis ohne seinen Schnitt'}).waitFor();
-  await expect.poll(() => page.getByText(/^In .* ausgerichtet$/).count()).toBe(1);
+  await expect.poll(() => page.getByText(/^In .* angepasst$/).count()).toBe(1);
 });

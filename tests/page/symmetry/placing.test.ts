@@ -184,7 +184,9 @@ it(
     } as const;
     await change(page, {options: {pins}});
     const ways = page.getByRole('group', {name: 'Ways out'});
-    await ways.getByRole('button', {name: 'Make Sleeve right the mirror image of Sleeve left'}).waitFor();
+    await ways
+      .getByRole('button', {name: 'Make Sleeve right the mirror image of Sleeve left'})
+      .waitFor();
     expect(await barriers(page)).toEqual([]);
     await expect
       .poll(() => ways.getByRole('button').allInnerTexts())
@@ -194,7 +196,9 @@ it(
         'Unpin Sleeve right',
         'Drop the symmetry: Sleeve left, Sleeve right',
       ]);
-    await ways.getByRole('button', {name: 'Make Sleeve right the mirror image of Sleeve left'}).click();
+    await ways
+      .getByRole('button', {name: 'Make Sleeve right the mirror image of Sleeve left'})
+      .click();
     await solved(page);
     expect((await pinsOf(page)).sleeve_left).toEqual(pins.sleeve_left);
     await button(page, 'Undo').click();

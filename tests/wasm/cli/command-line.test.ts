@@ -186,7 +186,7 @@ describe('bad input exits with 2 and one sentence that names it', () => {
 it('explains itself', async () => {
   const {code, out} = await seamwise('--help');
   expect(code).toBe(0);
-  expect(out).toContain('seamwise align GARMENT.json --print PRINT.json');
+  expect(out).toContain('seamwise align GARMENT.json [GARMENT.json ...] --print PRINT.json');
   const {out: own} = await seamwise('convert', '--help');
   expect(own).toMatch(/^seamwise convert GARMENT\.json/);
   expect(own).not.toContain('seamwise align');

@@ -117,7 +117,7 @@ describe('progress', () => {
   it('lets the thread breathe', async () => {
     let ticks = 0;
     const clock = setInterval(() => (ticks += 1), 1);
-    await solve({garment: sample('tee'), print: checks});
+    await solve({garment: sample('tee'), print: checks, seed: 5}); // not solved before
     clearInterval(clock);
     expect(ticks).toBeGreaterThan(1);
   });

@@ -45,8 +45,9 @@ void readGrains(const JsonValue& json, const PanelUnits& units, const Place& pla
     object(item, here, "grain line");
     if (const JsonValue name = item.find("name")) text(name, here, "'name'");
     const JsonValue line = item.find("line");
-    const double angle = line ? grainAngle(line, units, here, *panel)
-                              : number(need(item, "angleDeg", here), here, "'angleDeg'", 360) * kPi / 180;
+    const double angle =
+        line ? grainAngle(line, units, here, *panel)
+             : number(need(item, "angleDeg", here), here, "'angleDeg'", 360) * kPi / 180;
     if (here.failed()) return;
     if (!std::exchange(panel->grain_stated, true)) panel->grain_angle = angle;
   }

@@ -5,7 +5,7 @@
 namespace seamwise {
 namespace {
 
-constexpr std::size_t kKept = 4;  ///< two greatest changes, with and without symmetry
+constexpr std::size_t kKeptRuns = 4;  ///< two greatest changes, with and without symmetry
 
 }  // namespace
 
@@ -43,7 +43,7 @@ const RunOutcome* RunMemo::find(const Inputs& inputs) const {
 }
 
 void RunMemo::add(Inputs inputs, RunOutcome outcome) {
-  if (kept_.size() == kKept) kept_.erase(kept_.begin());
+  if (kept_.size() == kKeptRuns) kept_.erase(kept_.begin());
   kept_.emplace_back(std::move(inputs), std::move(outcome));
 }
 

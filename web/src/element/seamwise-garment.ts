@@ -23,7 +23,7 @@ import {Marker, Modes} from './garment/later-parts.js';
 import type {GarmentState} from './garment/events.js';
 import {faceOf, garmentStyle} from './garment/face.js';
 import {PrintOffers, type OfferedPrint, type PrintOffer} from './garment/sources.js';
-import {checkDesign, checkRequest, checkWaiting} from './garment/method-checks.js';
+import {checkedDesign, checkRequest, checkWaiting} from './garment/method-checks.js';
 import {blobOf, type BlobRequest} from './garment/picture.js';
 import {GarmentSession} from './garment/session.js';
 import {ElementLanguage} from './garment/language.js';
@@ -404,8 +404,8 @@ export class SeamwiseGarment extends AttributeElement {
 
 /** @throws {FileError} if it is no design; {SolverError} if it is neither object nor text */
 function storedIn(design: unknown): StoredDesign {
-  checkDesign(design);
-  const text = typeof design === 'string' ? design : jsonText(design, 'design');
+  const known = checkedDesign(design);
+  const text = typeof known === 'string' ? known : jsonText(known, 'design');
   return readStoredDesign(text, 'design');
 }
 

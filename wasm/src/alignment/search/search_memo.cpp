@@ -5,7 +5,7 @@
 namespace seamwise {
 namespace {
 
-constexpr std::size_t kKept = 10;  ///< a change and its undoing, with five searches each
+constexpr std::size_t kKeptSearches = 10;  ///< a change and its undoing, with five searches each
 
 }  // namespace
 
@@ -16,7 +16,7 @@ const SearchMemo::Outcome* SearchMemo::find(const Inputs& inputs) const {
 }
 
 void SearchMemo::add(Inputs inputs, Outcome outcome) {
-  if (kept_.size() == kKept) kept_.erase(kept_.begin());
+  if (kept_.size() == kKeptSearches) kept_.erase(kept_.begin());
   kept_.emplace_back(std::move(inputs), std::move(outcome));
 }
 

@@ -29,10 +29,14 @@ export const checkWaiting = (call: 'solve' | 'layPlan', options: unknown): void 
   checkArguments(call, ['options', options, waiting]);
 };
 
-/** @throws {SolverError} `options` for a design of `setDesign` that is neither object nor text */
-export const checkDesign = (value: unknown): void => {
+/**
+ * Returns the design.
+ * @throws {SolverError} `options` for a design of `setDesign` that is neither object nor text
+ */
+export function checkedDesign(value: unknown): unknown {
   checkArguments('setDesign', ['design', value, design]);
-};
+  return value;
+}
 
 /** @throws {SolverError} `options` for a request of `toBlob` */
 export const checkRequest = (value: unknown): void => {
