@@ -29,6 +29,12 @@ let folder: string;
 let browser: Awaited<ReturnType<typeof openBrowser>>;
 let served: Awaited<ReturnType<typeof serveFiles>>;
 
+/** Sizes of files that a worker has asked for are known some time after their answer is. */
+async function inWorker({size}: Opened, module: RegExp): Promise<number> {
+  await expect.poll(() => size(module)).toBeGreaterThan(0);
+  return size(module);
+}
+
 interface Opened {
   readonly page: Page;
   /** Compressed size of the loaded files whose paths match. [kB] */
@@ -105,7 +111,7 @@ beforeAll(async () => {
     'scripts of a drape',
     (await drape.size(script)) - scripts + (await flat.size(flatOnly)),
   );
-  sizes.set('drape.wasm', await drape.size(/drape\.wasm$/));
+  sizes.set('drape.wasm', await inWorker(drape, /drape\.wasm$/));
 
   const laid = await opened(served.url, 'cloth-width="140"');
   await laid.page.evaluate(async () => {
@@ -115,7 +121,7 @@ beforeAll(async () => {
     await isLaid;
   });
   sizes.set('scripts of a layout', (await laid.size(script)) - scripts);
-  sizes.set('marker.wasm', await laid.size(/marker\.wasm$/));
+  sizes.set('marker.wasm', await inWorker(laid, /marker\.wasm$/));
   if (process.env.SEAMWISE_WRITE) await writeTable();
 });
 afterAll(async () => {
