@@ -15,7 +15,7 @@ interface Seen {
   readonly rest: Point;
 }
 
-/** What is seen at (x, y) from the front. */
+/** Returns the visible point at (x, y) from the front. */
 function seenAt({mesh, positions}: Drape, x: number, y: number): Seen {
   let nearest = -Infinity;
   let seen: Seen = {piece: '', rest: [NaN, NaN]};

@@ -2,26 +2,10 @@
 import {expect, it} from 'vitest';
 
 import {edgeLength} from '@/model/garment/edge-curve.js';
-import type {DraftedEdge, DraftedFold, GarmentPiece} from '@/model/garment/garment-document.js';
+import type {DraftedFold} from '@/model/garment/garment-document.js';
 import {edgeOf} from '@/model/garment/edits.js';
 import {divideAtFolds} from '@/model/garment/pleated-edges.js';
-import type {Point} from '@/model/geometry/vectors.js';
-import {documentOf, draftedSeam, draftedSquare} from '../../support/garments/documents.js';
-
-const rectangle = (name: string, width: number, folds: readonly DraftedFold[]): GarmentPiece => {
-  const corners: readonly Point[] = [
-    [0, 0],
-    [width, 0],
-    [width, 40],
-    [0, 40],
-  ];
-  return draftedSquare(name, {
-    outline: corners.map((from, k): DraftedEdge => ({
-      points: [from, corners[(k + 1) % 4] ?? from],
-    })),
-    ...(folds.length > 0 && {folds}),
-  });
-};
+import {documentOf, draftedRectangle, draftedSeam} from '../../support/garments/documents.js';
 
 const pleat = (from: number, to: number): DraftedFold => ({
   kind: 'inverted',
@@ -37,7 +21,10 @@ const pleat = (from: number, to: number): DraftedFold => ({
 
 /** A skirt of 50 cm with two pleats of 10 cm, whose waist is sewn to a band of 30 cm. */
 const skirt = documentOf(
-  [rectangle('skirt', 50, [pleat(5, 15), pleat(30, 40)]), rectangle('band', 30, [])],
+  [
+    draftedRectangle('skirt', 50, 40, {folds: [pleat(5, 15), pleat(30, 40)]}),
+    draftedRectangle('band', 30, 40),
+  ],
   {
     seams: [
       draftedSeam({
@@ -80,6 +67,6 @@ it('changes nothing in edges that are divided already', () => {
 
 it('ignores creases', () => {
   const crease = {...pleat(5, 15), kind: 'press'} as const;
-  const pressed = documentOf([rectangle('skirt', 50, [crease])]);
+  const pressed = documentOf([draftedRectangle('skirt', 50, 40, {folds: [crease]})]);
   expect(divideAtFolds(pressed).document).toEqual(pressed);
 });

@@ -10,24 +10,13 @@ import {likeliestSides} from '@/pairing/sides.js';
 import {likeliestSeams, sureSeams} from '@/pairing/suggest.js';
 import {isPlain} from '@/pairing/sure.js';
 
-import {documentOf, draftedSeam, draftedSquare} from '../../support/garments/documents.js';
+import {
+  documentOf,
+  draftedPolygon,
+  draftedRectangle,
+  draftedSeam,
+} from '../../support/garments/documents.js';
 import {shirtWithSleeves} from '../../support/garments/shirts.js';
-
-/** A piece of straight edges. */
-const piece = (name: string, corners: readonly Point[]): GarmentPiece =>
-  draftedSquare(name, {
-    outline: corners.map((from, k) => ({
-      points: [from, corners[(k + 1) % corners.length] ?? from],
-    })),
-  });
-
-const rectangle = (name: string, width: number, height: number): GarmentPiece =>
-  piece(name, [
-    [0, 0],
-    [width, 0],
-    [width, height],
-    [0, height],
-  ]);
 
 /** A skirt of two trapezes with a waistband of two strips. */
 const skirt = (): GarmentDocument => {
@@ -37,10 +26,10 @@ const skirt = (): GarmentDocument => {
     [20, 60],
     [-20, 60],
   ];
-  const band = (name: string) => rectangle(name, 40, 4);
+  const band = (name: string) => draftedRectangle(name, 40, 4);
   const pieces = [
-    piece('front', panel),
-    piece('back', panel),
+    draftedPolygon('front', panel),
+    draftedPolygon('back', panel),
     band('band_front'),
     band('band_back'),
   ];
@@ -113,7 +102,7 @@ describe('rankPartners', () => {
   });
 
   it('sews a tube to itself', () => {
-    const garment = documentOf([rectangle('sleeve', 22, 50)]);
+    const garment = documentOf([draftedRectangle('sleeve', 22, 50)]);
     const [best] = rankPartners(garment, {piece: 0, edge: 1});
     expect(best?.edge).toEqual({piece: 0, edge: 3});
     expect(best?.sameDirection).toBe(false);
@@ -244,8 +233,11 @@ describe('what is suggested', () => {
       [20, 0],
       [12, 30],
     ];
-    const left = piece('left front', corners);
-    const right = piece('right front', corners.map(([x, y]): Point => [0 - x, y]).toReversed());
+    const left = draftedPolygon('left front', corners);
+    const right = draftedPolygon(
+      'right front',
+      corners.map(([x, y]): Point => [0 - x, y]).toReversed(),
+    );
     expect(mirrorImage(documentOf([left, right]), {piece: 0, edge: 0})).toEqual({
       piece: 1,
       edge: 1,
@@ -345,7 +337,7 @@ describe('what is sure', () => {
     if (!first || !second) throw new Error('no such edge');
     return isPlain(document, {...garment, edges}, first, second);
   };
-  const across = (name: string, width: number) => rectangle(name, width, 40);
+  const across = (name: string, width: number) => draftedRectangle(name, width, 40);
 
   it('is as long as what it is sewn to, unless names say gathers', () => {
     expect(isPlainBetween(across('front', 30), 2, across('back', 31), 0)).toBe(true);
@@ -363,7 +355,7 @@ describe('what is sure', () => {
 
   it('joins no right half of a back with a left one', () => {
     const halved = (name: string) =>
-      piece(name, [
+      draftedPolygon(name, [
         [-20, 0],
         [0, 0],
         [20, 0],
@@ -400,8 +392,13 @@ it('knows the images of what mirrors in part: the other side has one edge more',
   const [first, ...rest] = mirrored;
   if (!first) throw new Error('no corner');
   // an additional corner where a dart was moved
-  const left = piece('left_back', outline);
-  const right = piece('right_back', [...rest.slice(0, 3), [-11, -1], ...rest.slice(3), first]);
+  const left = draftedPolygon('left_back', outline);
+  const right = draftedPolygon('right_back', [
+    ...rest.slice(0, 3),
+    [-11, -1],
+    ...rest.slice(3),
+    first,
+  ]);
   const garment = documentOf([left, right]);
   const images = [0, 1, 2, 3, 4].map((edge) => mirrorImage(garment, {piece: 0, edge}));
   expect(images.filter((image) => image?.piece === 1).length).toBe(4);

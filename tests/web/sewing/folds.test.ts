@@ -3,7 +3,7 @@ import {expect, it} from 'vitest';
 
 import {edgeLength} from '@/model/garment/edge-curve.js';
 import {edgeOf} from '@/model/garment/edits.js';
-import type {DraftedEdge, DraftedFold, GarmentPiece} from '@/model/garment/garment-document.js';
+import type {DraftedFold} from '@/model/garment/garment-document.js';
 import type {Point} from '@/model/geometry/vectors.js';
 import {
   foldImage,
@@ -21,25 +21,16 @@ import {
   withUptake,
   type FoldPlace,
 } from '@/sewing/fold-places.js';
-import {documentOf, draftedSeam, draftedSquare} from '../../support/garments/documents.js';
+import {
+  documentOf,
+  draftedPolygon,
+  draftedRectangle,
+  draftedSeam,
+} from '../../support/garments/documents.js';
 
-function rectangle(name: string, width: number): GarmentPiece {
-  const corners: readonly Point[] = [
-    [0, 0],
-    [width, 0],
-    [width, 40],
-    [0, 40],
-  ];
-  return draftedSquare(name, {
-    outline: corners.map((from, k): DraftedEdge => ({
-      points: [from, corners[(k + 1) % 4] ?? from],
-    })),
-  });
-}
-
-const skirt = rectangle('skirt', 50);
+const skirt = draftedRectangle('skirt', 50, 40);
 /** A skirt whose waist, edge 2, is sewn to a band that is 10 cm shorter. */
-const garment = documentOf([skirt, rectangle('band', 40)], {
+const garment = documentOf([skirt, draftedRectangle('band', 40, 40)], {
   seams: [draftedSeam({a: {piece: 0, edge: 2}, b: {piece: 1, edge: 0}, name: 'Waist'})],
 });
 const at = (x: number, y = 40): FoldPlace => ({point: [x, y]});
@@ -84,16 +75,12 @@ it('takes the longer way from a corner', () => {
 });
 
 it('is parallel to the grain, or to another pleat, where the edge is nearly square to it', () => {
-  const corners: readonly Point[] = [
+  const slanted = draftedPolygon('skirt', [
     [0, 0],
     [50, 5],
     [50, 40],
     [0, 40],
-  ];
-  const outline = corners.map((from, k): DraftedEdge => ({
-    points: [from, corners[(k + 1) % 4] ?? from],
-  }));
-  const slanted = {...skirt, outline};
+  ]);
   const [from, to] = fold(slanted, 'knife', [at(20, 2), at(24, 2.4)]).line;
   expect(to[0] - from[0]).toBeCloseTo(0);
 });

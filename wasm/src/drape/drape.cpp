@@ -138,8 +138,7 @@ std::vector<double> Drape::besideEachOther(const SewnLevel& level, const SewnMes
 
 void Drape::put(const SewnLevel& level, const SewnMesh& mesh, const Positions& from) {
   if (cloth_) spent_ += cloth_->work();
-  const bool pleated = std::any_of(level.pleats.begin(), level.pleats.end(),
-                                   [](const auto& pleats) { return !pleats.empty(); });
+  const bool pleated = !level.pleats.empty();
   LevelCloth::Layers layers{problem_.overlaps, {}, {}, problem_.fabric.offset};
   // Large triangles of pleats cut the curves of the body short.
   if (pleated && &level == &problem_.levels.coarse) layers.gap *= kCoarsePleats;

@@ -99,7 +99,7 @@ std::vector<Pleat> pleatsOf(const Panel& panel, const Piece& piece) {
     if (!one) return {};
     upright.push_back(*one);
   }
-  sortBy(upright, [](const UprightPleat& pleat) { return pleat.left[0].x() + pleat.left[1].x(); });
+  sortAcross(upright);
   for (std::size_t k = 1; k < upright.size(); ++k)
     for (const Crease* line : {&upright[k].left, &upright[k - 1].right})
       for (const Vec2& end : *line)
@@ -135,6 +135,10 @@ PleatStrip stripAt(const std::vector<Pleat>& pleats, const Vec2& p) {
     strip.layer = (pleat.kind == FoldKind::kBox ? 1 : -1) * (first || last ? 1 : 2);
   }
   return strip;
+}
+
+void sortAcross(std::vector<UprightPleat>& pleats) {
+  sortBy(pleats, [](const UprightPleat& pleat) { return pleat.left[0].x() + pleat.left[1].x(); });
 }
 
 double UprightPleat::acrossAt(const Crease& line, double y) {

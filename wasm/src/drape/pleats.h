@@ -77,6 +77,9 @@ struct UprightPleat {
 template <class Map>
 std::optional<UprightPleat> uprightPleat(const Pleat& pleat, const Map& map);
 
+/// Sorts pleats from left to right.
+void sortAcross(std::vector<UprightPleat>& pleats);
+
 /// Position of a point of a pleated piece after the pleats are closed.
 struct PleatedPoint {
   double across = 0;  ///< x, cm

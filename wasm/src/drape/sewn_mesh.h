@@ -29,7 +29,7 @@ struct SewnLevel {
   int size = 0;                        ///< number of vertices of the cloth
   /// Per vertex of the cloth: its mirror image; empty unless the pattern's mirrors cover the cloth.
   std::vector<int> image;
-  std::vector<std::vector<Pleat>> pleats;  ///< per piece; or empty
+  std::vector<std::vector<Pleat>> pleats;  ///< per piece; empty if no piece has any
 };
 
 /// Two meshes of one garment. A change of its shapes leaves both unchanged.

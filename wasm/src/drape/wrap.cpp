@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "base/sort_by.h"
 #include "drape/layers.h"
 #include "drape/pleat_layers.h"
 #include "drape/pleats.h"
@@ -140,8 +139,7 @@ class Wrapper {
       if (pleats_.empty()) continue;
       for (const Pleat& pleat : pleats_[i])
         if (const auto one = uprightPleat(pleat, upright)) upright_[i].push_back(*one);
-      sortBy(upright_[i],
-             [](const UprightPleat& pleat) { return pleat.left[0].x() + pleat.left[1].x(); });
+      sortAcross(upright_[i]);
     }
   }
 

@@ -1,17 +1,12 @@
 #include "methods/run_memo.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace seamwise {
-namespace {
 
-constexpr std::size_t kKeptRuns = 4;  ///< two greatest changes, with and without symmetry
-
-}  // namespace
-
-RunMemo::Inputs::Inputs(const Problem& problem, const Pattern& pattern, MatchProblem match_problem,
-                        std::size_t guided, const std::vector<Alignments>& offered,
-                        const std::vector<Alignments>& starts)
+RunInputs::RunInputs(const Problem& problem, const Pattern& pattern, MatchProblem match_problem,
+                     std::size_t guided, const std::vector<Alignments>& offered,
+                     const std::vector<Alignments>& starts)
     : garment(problem.garment),
       rest(restShapes(pattern)),
       match(std::move(match_problem)),
@@ -34,17 +29,6 @@ RunMemo::Inputs::Inputs(const Problem& problem, const Pattern& pattern, MatchPro
     settings.insert(settings.end(), {double(seam), weight});
   for (const EdgeRef& edge : options.locked)
     settings.insert(settings.end(), {double(edge.piece), double(edge.edge)});
-}
-
-const RunOutcome* RunMemo::find(const Inputs& inputs) const {
-  const auto known = std::find_if(kept_.begin(), kept_.end(),
-                                  [&](const auto& entry) { return entry.first == inputs; });
-  return known == kept_.end() ? nullptr : &known->second;
-}
-
-void RunMemo::add(Inputs inputs, RunOutcome outcome) {
-  if (kept_.size() == kKeptRuns) kept_.erase(kept_.begin());
-  kept_.emplace_back(std::move(inputs), std::move(outcome));
 }
 
 }  // namespace seamwise

@@ -66,7 +66,7 @@ export async function align(words: readonly string[]): Promise<void> {
     await alignOne(args, first);
     return;
   }
-  const outputs = args.files.map((file) => outputsOf(args, file));
+  const outputs = args.files.map((file) => ({file, ...outputsOf(args, file)}));
   checkDistinct(Object.fromEntries(outputs.map(({outFile}, k) => [`--out ${k + 1}`, outFile])));
   if (typeof printTurns(args, '--print-turn', mostTurn) === 'object') {
     throw new UsageError(
@@ -76,9 +76,7 @@ export async function align(words: readonly string[]): Promise<void> {
   const sizes = printSizes(args, '--print-size', scaleLimits);
   const isSwept = typeof sizes === 'object';
   const printSize = isSwept ? await sizeForAll(args, sizes) : sizes;
-  for (const file of args.files) {
-    await alignOne(args, file, {...outputsOf(args, file), printSize});
-  }
+  for (const {file, ...output} of outputs) await alignOne(args, file, {...output, printSize});
 }
 
 /** Output files of one garment, and the size of the print. */

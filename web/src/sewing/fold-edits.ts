@@ -6,7 +6,7 @@ import {
   sew,
   twinOf,
   unchanged,
-  unsew,
+  unsewAll,
   type Edited,
 } from '../model/garment/edits.js';
 import {foldLines, hidesFabric, mappedFold} from '../model/garment/folds.js';
@@ -153,9 +153,7 @@ function rejoined(start: Edited, given: readonly EdgeOfPiece[]): Edited {
   const row = inRow(document, twins);
   const isAlike = sewn.every((seam) => seam.sameDirection === first?.sameDirection);
   if (!first || !row || !isAlike || new Set(seams).size < seams.length) return start;
-  const apart = [...seams]
-    .sort((one, other) => other - one)
-    .reduce((edited, seam) => after(edited, (next) => unsew(next, seam)), unchanged(document));
+  const apart = unsewAll(document, seams);
   const joined = [run, row].reduce((edited, edges) => {
     const now = edges.flatMap(edited.edgesOf);
     return after(edited, (next) => joinRun(unchanged(next), now));

@@ -2,7 +2,7 @@
  * Lines of folds from places on a piece, in the coordinates of the face-up piece as drafted. Lengths
  * in cm.
  */
-import {edgeLine} from '../model/garment/edge-curve.js';
+import {edgeLine, exactSteps} from '../model/garment/edge-curve.js';
 import {hidesFabric} from '../model/garment/folds.js';
 import type {DraftedFold, FoldKind, GarmentPiece} from '../model/garment/garment-document.js';
 import {nearestOn} from '../model/geometry/nearest.js';
@@ -34,8 +34,6 @@ export type FoldRefusal = 'near' | 'outside' | 'crossing';
 /** Least fabric in a pleat, and least length of a line. */
 const narrowest = 0.2;
 const shortest = 0.5;
-/** Steps per curve, so that lines end on it to 0.001 mm. */
-const fineSteps = 512;
 /** Greatest distance of a point on the outline from it. */
 const onOutline = 0.1;
 /** Greatest angle to a direction that a fold takes instead, as a sine. */
@@ -44,7 +42,7 @@ const nearly = 0.2;
 const straight = 0.01;
 
 const loopsOf = ({outline, holes}: Shape): readonly (readonly Point[])[] =>
-  [outline, ...holes].map((loop) => loop.flatMap((edge) => edgeLine(edge, fineSteps).slice(1)));
+  [outline, ...holes].map((loop) => loop.flatMap((edge) => edgeLine(edge, exactSteps).slice(1)));
 
 /** The stretch of a line through a point that is inside the piece and nearest to the point. */
 function stretchAt(

@@ -14,6 +14,7 @@ import {
   twinOf,
   unchanged,
   unsew,
+  unsewAll,
   type Edited,
   type Sewn,
 } from '../model/garment/edits.js';
@@ -56,18 +57,12 @@ function sewnAll(
   }, unchanged(document));
 }
 
-/**
- * Replaces seams that were sewn too short. Later seams are removed first, so that the other indices
- * stay valid.
- */
+/** Replaces seams that were sewn too short. */
 function joined(
   document: GarmentDocument,
   {seams, a, b, sameDirection}: Extract<SeamEdit, {readonly kind: 'join'}>,
 ): Edited {
-  const apart = [...seams]
-    .sort((one, other) => other - one)
-    .reduce((done, seam) => after(done, (next) => unsew(next, seam)), unchanged(document));
-  return after(apart, (next) => sewn(next, {a, b, sameDirection}));
+  return after(unsewAll(document, seams), (next) => sewn(next, {a, b, sameDirection}));
 }
 
 function split(document: GarmentDocument, edge: EdgeOfPiece, share: number): Edited {
@@ -150,8 +145,23 @@ export function easeOf(
   return {cm: Math.abs(one - other), share: Math.max(one, other) / Math.min(one, other) - 1};
 }
 
-/** Returns the new seams whose sides differ too much in length for a continuous print. */
+/** Returns whether the sides of a seam differ too much in length for a continuous print. */
+function isGathered(document: GarmentDocument, number: number): boolean {
+  const seam = document.seams[number];
+  return seam !== undefined && easeOf(document, [seam.a], [seam.b]).share > gathers;
+}
+
+/** Returns the new seams that are gathered. */
 export const newGathers = (before: GarmentDocument, after: GarmentDocument): readonly number[] =>
-  after.seams.flatMap(({a, b}, number) =>
-    number >= before.seams.length && easeOf(after, [a], [b]).share > gathers ? [number] : [],
+  after.seams.flatMap((_, number) =>
+    number >= before.seams.length && isGathered(after, number) ? [number] : [],
+  );
+
+/** Returns the seams that an edit has made gathered, by their numbers afterwards. */
+export const grownGathers = (
+  before: GarmentDocument,
+  {document, seamsOf}: Edited,
+): readonly number[] =>
+  before.seams.flatMap((_, number) =>
+    isGathered(before, number) ? [] : seamsOf(number).filter((one) => isGathered(document, one)),
   );

@@ -142,7 +142,7 @@ export class DrapeDrawing extends SceneDrawing<DrapeView> {
   );
   #observer: IntersectionObserver | undefined;
   #isInView = false;
-  /** Ends the drapes. */
+  /** Ends draping. */
   #end: (() => void) | undefined;
   #isPrinted = false;
   #isShaped = false;
@@ -233,7 +233,7 @@ export class DrapeDrawing extends SceneDrawing<DrapeView> {
     this.#end = undefined;
   }
 
-  /** @returns function that ends the drapes */
+  /** @returns function that ends draping */
   #begin(view: DrapeView): () => void {
     const quiet = matchMedia('(prefers-reduced-motion: reduce)');
     let shown = false;

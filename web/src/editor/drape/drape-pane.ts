@@ -34,10 +34,10 @@ export class DrapePane extends DrapeDrawing {
   declare purpose: 'show' | 'edit';
   /** Seams are coloured by mismatch. */
   declare seams: boolean;
-  /** The preset nearest to the camera; a change of it is announced. */
   readonly beforeAfter = new BeforeAfter(() => {
     this.requestUpdate();
   });
+  /** The preset nearest to the camera; a change of it is announced. */
   #preset: CameraPreset = 'front';
   /** Last selected target, here or elsewhere. */
   #selected: Target | undefined;

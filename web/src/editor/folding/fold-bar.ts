@@ -4,7 +4,7 @@ import {css, html, nothing, svg, type TemplateResult} from 'lit';
 import {foldKinds, type DraftedFold, type FoldKind} from '../../model/garment/garment-document.js';
 import {hidesFabric} from '../../model/garment/folds.js';
 import {WorkbenchElement} from '../base/workbench-element.js';
-import {lengthUnit} from '../controls/number-field.js';
+import {lengthField} from '../controls/length-field.js';
 import {controls} from '../style/controls.js';
 import type {FoldTool} from '../../workbench/folding/fold-tool.js';
 import type {FoldChooser} from '../../workbench/folding/fold-chooser.js';
@@ -123,13 +123,12 @@ export class FoldBar extends WorkbenchElement {
   #size(fold: DraftedFold): TemplateResult | typeof nothing {
     if (!hidesFabric(fold)) return nothing;
     const {chooser, texts} = this.tool;
-    const unit = lengthUnit[this.workbench.preferences.chosen.units].name;
-    return html`${this.#length(texts.fabric(unit), chooser.uptakeCm, limits.uptake, (cm) => {
+    return html`${this.#length(texts.fabric, chooser.uptakeCm, limits.uptake, (cm) => {
       chooser.setUptake(cm);
     })}
     ${
       fold.kind === 'tuck'
-        ? this.#length(texts.length(unit), chooser.lengthCm, limits.length, (cm) => {
+        ? this.#length(texts.length, chooser.lengthCm, limits.length, (cm) => {
             chooser.setLength(cm);
           })
         : nothing
@@ -137,28 +136,14 @@ export class FoldBar extends WorkbenchElement {
   }
 
   #length(
-    label: string,
+    label: (unit: string) => string,
     value: number,
-    [least, most]: readonly [number, number],
-    set: (cm: number) => void,
+    range: readonly [number, number],
+    enter: (cm: number) => void,
   ): TemplateResult {
     const {units} = this.workbench.preferences.chosen;
-    const {cm} = lengthUnit[units];
-    const {format} = this;
-    return html`<sw-number-field
-      .label=${label}
-      .value=${value / cm}
-      .least=${least / cm}
-      .most=${most / cm}
-      .step=${0.5}
-      .digits=${units === 'inch' ? 3 : 2}
-      .fractions=${units === 'inch'}
-      .subject=${this.state}
-      .wrong=${this.texts.controls.between(format.length(least), format.length(most))}
-      @entered=${({detail}: CustomEvent<number>) => {
-        set(detail * cm);
-      }}
-    ></sw-number-field>`;
+    const {format, texts, state: subject} = this;
+    return lengthField({label, value, limits: range, subject, units, format, texts, enter});
   }
 
   #mirrored(): TemplateResult {

@@ -9,7 +9,7 @@ import {statedRepeat} from '../../workbench/marker/delivered-print.js';
 import type {MarkerTexts} from '../../texts/marker-texts.js';
 import type {Format} from '../../texts/format.js';
 import type {Texts} from '../../texts/texts.js';
-import {lengthUnit} from '../controls/number-field.js';
+import {lengthField} from '../controls/length-field.js';
 
 interface Fields {
   readonly print: DesignPrint;
@@ -57,23 +57,15 @@ function measuredFields({
   if (!stated) return nothing;
   const delivered: Delivered = fabricOnly(print.delivered ?? {});
   const {measured = {}} = delivered;
-  const {name, cm} = lengthUnit[units];
   const [less, more] = measuredRange;
   const field = (way: 'across' | 'up', own: number): TemplateResult =>
-    html`<sw-number-field
-      class=${way}
-      .label=${words.measured[way](name)}
-      .value=${(measured[way] ?? own) / cm}
-      .least=${(less * own) / cm}
-      .most=${(more * own) / cm}
-      .step=${0.1}
-      .digits=${units === 'inch' ? 3 : 2}
-      .fractions=${units === 'inch'}
-      .wrong=${texts.controls.between(format.length(less * own), format.length(more * own))}
-      @entered=${({detail}: CustomEvent<number>) => {
-        choose({...delivered, measured: {...measured, [way]: detail * cm}});
-      }}
-    ></sw-number-field>`;
+    lengthField({
+      ...{name: way, label: words.measured[way], value: measured[way] ?? own, step: 0.1},
+      ...{limits: [less * own, more * own], units, format, texts},
+      enter: (cm) => {
+        choose({...delivered, measured: {...measured, [way]: cm}});
+      },
+    });
   return html`<div class="pair">
     ${field('across', stated.width)} ${field('up', stated.height)}
   </div>`;

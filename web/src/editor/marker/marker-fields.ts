@@ -11,7 +11,7 @@ import type {Units} from '../../model/base/length-text.js';
 import type {MarkerTexts} from '../../texts/marker-texts.js';
 import type {Format} from '../../texts/format.js';
 import type {Texts} from '../../texts/texts.js';
-import {lengthUnit} from '../controls/number-field.js';
+import {lengthField} from '../controls/length-field.js';
 
 interface Fields {
   readonly choices: MarkerChoices;
@@ -43,26 +43,18 @@ type Length = Exclude<keyof typeof fabricLimits, 'price'>;
 /** Steps of the arrow keys other than half a unit. */
 const fineSteps: Partial<Record<Length, number>> = {gapCm: 0.1, allowanceCm: 0.1, hemCm: 0.1};
 
-function lengthField(
+function fabricLength(
   {units, format, texts, choices, choose}: Fields,
   name: Length,
   label: (unit: string) => string,
 ): TemplateResult {
-  const {name: unit, cm} = lengthUnit[units];
-  const [least, most] = fabricLimits[name];
-  return html`<sw-number-field
-    .label=${label(unit)}
-    .value=${(choices[name] ?? 0) / cm}
-    .least=${least / cm}
-    .most=${most / cm}
-    .step=${fineSteps[name] ?? 0.5}
-    .digits=${units === 'inch' ? 3 : 2}
-    .fractions=${units === 'inch'}
-    .wrong=${texts.controls.between(format.length(least), format.length(most))}
-    @entered=${({detail}: CustomEvent<number>) => {
-      choose({[name]: detail * cm});
-    }}
-  ></sw-number-field>`;
+  return lengthField({
+    ...{label, value: choices[name] ?? 0, limits: fabricLimits[name], units, format, texts},
+    step: fineSteps[name] ?? 0.5,
+    enter: (cm) => {
+      choose({[name]: cm});
+    },
+  });
 }
 
 function widthFields(fields: Fields): TemplateResult {
@@ -102,7 +94,7 @@ function widthFields(fields: Fields): TemplateResult {
         }}
       ></sw-number-field>
     </div>
-    ${isOwn ? lengthField(fields, 'widthCm', words.widthIn) : nothing}`;
+    ${isOwn ? fabricLength(fields, 'widthCm', words.widthIn) : nothing}`;
 }
 
 /** Cutting sheets use the same allowances. The allowances of the pattern itself take precedence. */
@@ -121,8 +113,8 @@ function allowanceFields(fields: Fields): TemplateResult {
     ${
       hasAllowances
         ? html`<div class="pair">
-            ${lengthField(fields, 'allowanceCm', words.allowance)}
-            ${lengthField(fields, 'hemCm', words.hem)}
+            ${fabricLength(fields, 'allowanceCm', words.allowance)}
+            ${fabricLength(fields, 'hemCm', words.hem)}
           </div>`
         : nothing
     }`;
@@ -147,7 +139,7 @@ function phaseField(fields: Fields): TemplateResult {
         )}
       </select>
     </label>
-    ${isKnown ? lengthField(fields, 'phaseCm', words.phaseIn) : nothing}`;
+    ${isKnown ? fabricLength(fields, 'phaseCm', words.phaseIn) : nothing}`;
 }
 
 export function markerFields(fields: Fields): TemplateResult {
@@ -155,8 +147,8 @@ export function markerFields(fields: Fields): TemplateResult {
   return html`<div class="fields">
     ${widthFields(fields)}
     <div class="pair">
-      ${lengthField(fields, 'selvedgeCm', words.selvedge)}
-      ${lengthField(fields, 'gapCm', words.gap)}
+      ${fabricLength(fields, 'selvedgeCm', words.selvedge)}
+      ${fabricLength(fields, 'gapCm', words.gap)}
     </div>
     ${allowanceFields(fields)} ${phaseField(fields)}
     <div>

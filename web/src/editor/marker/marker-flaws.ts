@@ -2,7 +2,7 @@
 import {css, html, nothing, type TemplateResult} from 'lit';
 
 import type {Flaw} from '../../workbench/marker/lay-step.js';
-import {lengthUnit} from '../controls/number-field.js';
+import {lengthField} from '../controls/length-field.js';
 import {section} from '../controls/section.js';
 import {controls} from '../style/controls.js';
 import {MarkerElement} from './marker-element.js';
@@ -151,25 +151,12 @@ export class MarkerFlaws extends MarkerElement {
   #field(
     label: (unit: string) => string,
     value: number,
-    [least, most]: readonly [number, number],
+    limits: readonly [number, number],
     enter: (cm: number) => void,
   ): TemplateResult {
     const {format, texts} = this;
     const {units} = this.workbench.preferences.chosen;
-    const {name, cm} = lengthUnit[units];
-    return html`<sw-number-field
-      .label=${label(name)}
-      .value=${value / cm}
-      .least=${least / cm}
-      .most=${most / cm}
-      .step=${0.5}
-      .digits=${units === 'inch' ? 3 : 2}
-      .fractions=${units === 'inch'}
-      .wrong=${texts.controls.between(format.length(least), format.length(most))}
-      @entered=${({detail}: CustomEvent<number>) => {
-        enter(detail * cm);
-      }}
-    ></sw-number-field>`;
+    return lengthField({label, value, limits, units, format, texts, enter});
   }
 
   #press(event: KeyboardEvent, flaw: Flaw, number: number): void {

@@ -1,4 +1,4 @@
-/** Which share of a view shows the garment before the solve. */
+/** The share of a view that shows the garment before the solve. */
 export class BeforeAfter {
   readonly #changed: () => void;
   #split: number | undefined;

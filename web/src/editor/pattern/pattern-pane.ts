@@ -165,7 +165,7 @@ export class PatternPane extends PatternDrawing {
   protected override willUpdate(changed: PropertyValues<this>): void {
     super.willUpdate(changed);
     this.#welcome();
-    this.sews = this.tools.active === 'sew' || this.tools.active === 'fold';
+    this.sews = this.tools.isEditing;
   }
 
   protected override drew(view: PatternView): void {

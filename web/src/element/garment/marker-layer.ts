@@ -45,7 +45,7 @@ export class MarkerLayer {
       ...(names && {names}),
     }),
   );
-  #layouts: Laying | undefined;
+  #laying: Laying | undefined;
   #waiting = 0;
 
   constructor(owner: MarkerOwner) {
@@ -60,7 +60,7 @@ export class MarkerLayer {
   /** Length of the current answer's layout; null until it is there. */
   get lengthCm(): number | null {
     const answer = this.#answer;
-    return answer && answer === this.#layouts?.answer ? this.#layouts.lengthCm : null;
+    return answer && answer === this.#laying?.answer ? this.#laying.lengthCm : null;
   }
 
   /**
@@ -69,23 +69,23 @@ export class MarkerLayer {
    */
   follow(): void {
     const answer = this.#answer;
-    if (answer === this.#layouts?.answer) return;
+    if (answer === this.#laying?.answer) return;
     this.#end();
     const {element, session} = this.#owner;
     const isFinal = element.isConnected && !session.workbench.history.isHeld;
-    if (answer && (isFinal || this.isAwaited)) this.#layouts = this.#begin(answer);
+    if (answer && (isFinal || this.isAwaited)) this.#laying = this.#begin(answer);
   }
 
   /** Ends a running layout until the element is needed again. A finished one is kept. */
   pause(): void {
-    if (this.#layouts?.lengthCm === null) this.#end();
+    if (this.#laying?.lengthCm === null) this.#end();
   }
 
   /** Ends a running layout and rejects its promise. */
   cancel(): void {
-    if (this.#layouts?.lengthCm !== null) return;
-    this.#layouts.hasFailed = true;
-    this.#layouts.ending.abort(
+    if (this.#laying?.lengthCm !== null) return;
+    this.#laying.hasFailed = true;
+    this.#laying.ending.abort(
       new DOMException(this.#owner.texts().garment.cancelled, 'AbortError'),
     );
   }
@@ -105,16 +105,16 @@ export class MarkerLayer {
   }
 
   async #plan(solve: () => Promise<unknown>): Promise<LayPlan> {
-    if (this.#layouts?.hasFailed) this.#end();
+    if (this.#laying?.hasFailed) this.#end();
     for (;;) {
       await solve();
       this.follow();
-      const laying = this.#layouts;
+      const laying = this.#laying;
       if (!laying) continue; // the request has changed meanwhile
       try {
         return await laying.plan;
       } catch (error) {
-        if (laying === this.#layouts) throw error;
+        if (laying === this.#laying) throw error;
       }
     }
   }
@@ -149,8 +149,8 @@ export class MarkerLayer {
   }
 
   #end(): void {
-    this.#layouts?.ending.abort();
-    this.#layouts = undefined;
+    this.#laying?.ending.abort();
+    this.#laying = undefined;
   }
 }
 

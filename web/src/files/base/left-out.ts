@@ -34,6 +34,18 @@ const leastNoted = 0.5;
 /** Greatest number of lines of a kind with their places. */
 const mostNotes = 5;
 
+/** "they are 12 x 8 cm at (3, 4) cm; 2 x 2 cm at (9, 4) cm": sizes and places of closed lines. */
+export function placesOf<T extends ClosedLine>(
+  lines: readonly T[],
+  axis: YAxis,
+  also: (line: T) => string = () => '',
+): string {
+  const largest = [...lines].sort((a, b) => b.area - a.area).slice(0, mostNotes);
+  const subject =
+    lines.length === 1 ? 'it is' : lines.length > mostNotes ? 'the largest are' : 'they are';
+  return `${subject} ${largest.map((line) => `${placeOf(line, axis)}${also(line)}`).join('; ')}`;
+}
+
 /** One sentence for each kind of line that is left out. */
 export function leftOutNotes<T extends Candidate>(
   {frames, titleBoxes, copies, grids, small}: Roles<T>,
@@ -42,11 +54,7 @@ export function leftOutNotes<T extends Candidate>(
   const on = (line: Candidate): string => onLayer(layerOf?.(line));
   const noted = (lines: readonly Candidate[], rest: string): string[] => {
     if (lines.length === 0) return [];
-    const largest = [...lines].sort((a, b) => b.area - a.area).slice(0, mostNotes);
-    const told = largest.map((line) => `${placeOf(line, axis)}${on(line)}`).join('; ');
-    const subject =
-      lines.length === 1 ? 'it is' : lines.length > mostNotes ? 'the largest are' : 'they are';
-    return [`${closedLines(lines.length)} ${rest}: left out; ${subject} ${told}.`];
+    return [`${closedLines(lines.length)} ${rest}: left out; ${placesOf(lines, axis, on)}.`];
   };
   return [
     ...noted(frames, '(frame around pieces)'),

@@ -3,10 +3,10 @@ import type {DrawnNotch, DrawnPiece, NotchKind} from '../../model/garment/import
 import {distance, middle, type Point} from '../../model/geometry/vectors.js';
 import {FileError} from '../../model/base/versioned-file.js';
 import * as layers from './layers.js';
-import {closedLine, isCutAround, liesIn, placeOf, type ClosedLine} from '../base/closed-lines.js';
+import {closedLine, isCutAround, liesIn, type ClosedLine} from '../base/closed-lines.js';
 import {foldsAmong} from '../base/fold-lines.js';
 import {grainsAmong, usualGrain} from '../base/grain-lines.js';
-import {doubtfulHoles, gapNote, openNotes} from '../base/left-out.js';
+import {doubtfulHoles, gapNote, openNotes, placesOf} from '../base/left-out.js';
 import {reach} from './flat.js';
 import {areaOf, bySize, loopsOf, type Gap, type Loop, type Loops} from './loops.js';
 import {outlineOf, type Outline} from './outline.js';
@@ -163,11 +163,13 @@ const openSewLines = (
 
 /** A note on closed lines of a block that are no part of its piece. */
 function unreadNotes(piece: DxfPiece, loops: readonly Loop[], how: DrawnWith): string[] {
-  const [largest] = bySize(loops);
-  if (!largest) return [];
+  if (loops.length === 0) return [];
   const names = [...new Set(loops.map(({layer}) => layer))].join(', ');
   return [
-    `${loops.length} closed ${loops.length === 1 ? 'line' : 'lines'} of '${piece.name}' on layer ${names} ${loops.length === 1 ? 'is' : 'are'} left out; it is ${placeOf(lineOf(largest, how), 'up')}.`,
+    `${loops.length} closed ${loops.length === 1 ? 'line' : 'lines'} of '${piece.name}' on layer ${names} ${loops.length === 1 ? 'is' : 'are'} left out; ${placesOf(
+      loops.map((loop) => lineOf(loop, how)),
+      'up',
+    )}.`,
   ];
 }
 

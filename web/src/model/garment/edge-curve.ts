@@ -101,7 +101,7 @@ function parameterAt(controls: Controls, length: number): number {
 }
 
 /** Centre of a circular arc. */
-function centreOf({points}: DraftedEdge, sweep: number): Point {
+export function centreOf({points}: DraftedEdge, sweep: number): Point {
   const [from, to] = [points[0], points.at(-1) ?? points[0]];
   return plus(middle(from, to), leftOf(minus(to, from)), 0.5 / Math.tan(sweep / 2));
 }
@@ -111,6 +111,9 @@ const arcAt = (edge: DraftedEdge, sweep: number, share: number): Point => {
   const centre = centreOf(edge, sweep);
   return plus(centre, rotated(minus(edge.points[0], centre), share * sweep));
 };
+
+/** Steps per curve at which points and lengths are exact to 0.001 mm. */
+export const exactSteps = 512;
 
 /** Closely spaced points of an edge, from its start to its end. @param steps per Bezier curve */
 export function edgeLine(edge: DraftedEdge, steps = usualSteps): readonly Point[] {

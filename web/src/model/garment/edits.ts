@@ -263,6 +263,12 @@ const inSeam = (document: GarmentDocument, number: number, change: Partial<Garme
     seams: document.seams.map((seam, k) => (k === number ? {...seam, ...change} : seam)),
   });
 
+/** Removes seams, the later first, so that the other indices stay valid. */
+export const unsewAll = (document: GarmentDocument, seams: readonly number[]): Edited =>
+  [...seams]
+    .sort((one, other) => other - one)
+    .reduce((done, seam) => after(done, (next) => unsew(next, seam)), unchanged(document));
+
 /** Reverses a seam: the start of one edge meets the other end of its twin. */
 export const turnSeam = (document: GarmentDocument, seam: number): Edited =>
   inSeam(document, seam, {sameDirection: !document.seams[seam]?.sameDirection});

@@ -1,15 +1,14 @@
 /** Joins edges of an outline that were divided, such as at a pleat. Lengths in cm. */
-import {edgeLength} from './edge-curve.js';
+import {centreOf, edgeLength} from './edge-curve.js';
 import type {Edited} from './edits.js';
 import type {DraftedEdge, EdgeOfPiece, GarmentDocument, GarmentPiece} from './garment-document.js';
+import {arcAround} from '../geometry/arc.js';
 import {
   between,
   cross,
   distance,
-  leftOf,
-  middle,
+  dot,
   minus,
-  plus,
   rotated,
   unit,
   type Point,
@@ -20,25 +19,12 @@ const straight = 1e-6;
 /** Greatest angle of an arc that one cubic represents. [rad] */
 const mostSweep = Math.PI / 8;
 
-/** Control points of cubics along an arc, after its start. */
-function arcCubics(from: Point, to: Point, sweep: number): Point[] {
-  const centre = plus(middle(from, to), leftOf(minus(to, from)), 0.5 / Math.tan(sweep / 2));
-  const count = Math.max(1, Math.ceil(Math.abs(sweep) / mostSweep));
-  const step = sweep / count;
-  const reach = (4 / 3) * Math.tan(step / 4);
-  const radius = (k: number): Point => rotated(minus(from, centre), k * step);
-  return Array.from({length: count}, (_, k) => {
-    const [start, end] = [radius(k), radius(k + 1)];
-    const controls = [plus(start, leftOf(start), reach), plus(end, leftOf(end), -reach), end];
-    return controls.map((p) => plus(centre, p));
-  }).flat();
-}
-
 /** Control points of the same course in cubics, after the start of the edge. */
-function cubicsAlong({points, sweep}: DraftedEdge): readonly Point[] {
+function cubicsAlong(edge: DraftedEdge): readonly Point[] {
+  const {points, sweep} = edge;
   const [from, first, second] = points;
   const to = points.at(-1) ?? from;
-  if (sweep !== undefined) return arcCubics(from, to, sweep);
+  if (sweep !== undefined) return arcAround(centreOf(edge, sweep), from, sweep, mostSweep).flat();
   if (points.length === 2) return [between(from, to, 1 / 3), between(from, to, 2 / 3), to];
   if (points.length === 3) return [between(from, first, 2 / 3), between(to, first, 2 / 3), to];
   return second ? points.slice(1) : [];
@@ -123,9 +109,7 @@ export function goesStraightOn(document: GarmentDocument, at: EdgeOfPiece): bool
   const [one, other] = [outline[at.edge], outline[nextEdge(document, at).edge]];
   if (!one || !other || one === other) return false;
   const [before, after] = [endWay(one, 'end'), endWay(other, 'start')];
-  return (
-    Math.abs(cross(before, after)) < leastTurn && before[0] * after[0] + before[1] * after[1] > 0
-  );
+  return Math.abs(cross(before, after)) < leastTurn && dot(before, after) > 0;
 }
 
 /** Unit vector along an edge at one of its ends. */

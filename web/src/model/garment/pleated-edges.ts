@@ -3,7 +3,7 @@
  * the length of a pleated edge with its pleats closed. Lengths in cm.
  */
 import {after, edgeOf, sameEdge, sew, splitEdge, unchanged, unsew, type Edited} from './edits.js';
-import {edgeLength, edgeLine} from './edge-curve.js';
+import {edgeLength, edgeLine, exactSteps} from './edge-curve.js';
 import {hidesFabric} from './folds.js';
 import type {
   DraftedEdge,
@@ -19,8 +19,6 @@ import type {Point} from '../geometry/vectors.js';
 /** Distance within which the end of a fold line is on the outline, or at a corner of it. */
 const reach = 0.2;
 const atCorner = 0.05;
-/** Steps per curve at which its points and lengths are exact to 0.001 mm. */
-const fineSteps = 512;
 
 /** The fabric of a pleat along an edge, as shares of the edge's length. */
 interface HiddenPart {
@@ -37,7 +35,7 @@ interface Hidden extends Pick<HiddenPart, 'from' | 'to'> {
 
 /** The position on an edge that is nearest to a point, as a share of its length, and how far. */
 function placeOn(edge: DraftedEdge, point: Point): {readonly share: number; readonly off: number} {
-  const line = edgeLine(edge, fineSteps);
+  const line = edgeLine(edge, exactSteps);
   const {at, off, step} = nearestOn(line, point, false);
   const whole = lengthOf(line);
   const along = lengthOf([...line.slice(0, step + 1), at]);

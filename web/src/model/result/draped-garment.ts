@@ -244,9 +244,9 @@ export type DrapeNoteCode =
   | 'drapeNoStart'
   /** The garment still moves by `number` in a step. [cm] */
   | 'drapeMoving'
-  /** Of earlier versions: the fabric would be stretched by the share `number`. */
+  /** Only in drapes of earlier versions: the fabric would be stretched by the share `number`. */
   | 'drapeStretched'
-  /** Of earlier versions: the form comes through the fabric by `number`. [cm] */
+  /** Only in drapes of earlier versions: the form comes through the fabric by `number`. [cm] */
   | 'drapeForm'
   /** The fabric passes through itself at `number` places. */
   | 'drapeCrossings'

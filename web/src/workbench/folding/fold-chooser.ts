@@ -33,7 +33,7 @@ import {
   type FoldPlace,
   type FoldRefusal,
 } from '../../sewing/fold-places.js';
-import {easeOf} from '../../sewing/seam-edits.js';
+import {grownGathers} from '../../sewing/seam-edits.js';
 import type {Pointed} from '../later-tool.js';
 import {mirrorsOf} from '../mirrors.js';
 import type {Workbench} from '../workbench.js';
@@ -57,9 +57,6 @@ interface FoldState {
   readonly selected?: FoldNumber;
   readonly refused?: Refusal;
 }
-
-/** A side that becomes longer than the other by more than this share is not matched. */
-const gathers = 0.1;
 
 export class FoldChooser {
   readonly #workbench: Workbench;
@@ -124,7 +121,7 @@ export class FoldChooser {
     return this.#isMirrored;
   }
 
-  /** Whether the piece in question has a mirror image, or is one of itself. */
+  /** True if the piece in question has a mirror image, or is one of itself. */
   get hasMirror(): boolean {
     const {selected, first} = this.state;
     const piece = selected?.piece ?? first?.piece;
@@ -401,24 +398,11 @@ export class FoldChooser {
     if (!design || !pattern) return;
     const {document} = edited;
     const {options, ...change} = designAfter(design, before, edited);
-    const unmatched = [...new Set([...(options.unmatched ?? []), ...uneven(before, edited)])];
+    const unmatched = [...new Set([...(options.unmatched ?? []), ...grownGathers(before, edited)])];
     const next = {...change, options: unmatched.length > 0 ? {...options, unmatched} : options};
     this.#workbench.edit(next, document, editedPattern(pattern, edited));
     const fold = chosen ? foldLike(document, chosen.piece, chosen.fold) : -1;
     this.#hovered = this.#cursor = undefined;
     this.#set(chosen && fold >= 0 ? {selected: {piece: chosen.piece, fold}} : {});
   }
-}
-
-/** Seams whose sides differ too much in length for a continuous print, since an edit. */
-function uneven(before: GarmentDocument, {document, seamsOf}: Edited): readonly number[] {
-  const share = (garment: GarmentDocument, number: number): number => {
-    const seam = garment.seams[number];
-    return seam ? easeOf(garment, [seam.a], [seam.b]).share : 0;
-  };
-  return before.seams.flatMap((_, number) =>
-    share(before, number) > gathers
-      ? []
-      : seamsOf(number).filter((one) => share(document, one) > gathers),
-  );
 }

@@ -418,7 +418,7 @@ const withPriceOf = ({step: {choices}}: MarkerWork, step: LayStep): LayStep =>
 
 const known = new WeakMap<Source, Layouts>();
 
-/** Laying of a workbench, created at the first call. */
+/** Layouts of a workbench, created at the first call. */
 export function layoutsOf(workbench: Workbench): Layouts {
   const layouts = known.get(workbench) ?? new Layouts(workbench);
   known.set(workbench, layouts);

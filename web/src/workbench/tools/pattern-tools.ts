@@ -106,7 +106,7 @@ export class PatternTools {
   }
 
   /**
-   * Whether the garment can be changed: one stored by its path stays as it is, unless it has no
+   * True if the garment can be changed: one stored by its path stays as it is, unless it has no
    * seams at all.
    */
   get canSew(): boolean {
@@ -148,7 +148,12 @@ export class PatternTools {
     return this.#own === 'fold' ? this.#fold.in(this.#language) : undefined;
   }
 
-  /** The active tool that changes the garment. */
+  /** True while a tool that changes the garment is active, even before it is loaded. */
+  get isEditing(): boolean {
+    return edits(this.#own);
+  }
+
+  /** The active tool that changes the garment, once it is loaded. */
   get editing(): EditingTool | undefined {
     return this.sewing ?? this.folding;
   }
