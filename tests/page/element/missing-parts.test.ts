@@ -77,7 +77,7 @@ async function visit(missing?: Visit['missing']): Promise<Visit> {
   return visited;
 }
 
-/** What loads parts on demand. A failure is an error, or an `error` event. */
+/** Calls that load parts on demand. A failure is an error, or an `error` event. */
 const actions = {
   'a cutting sheet as PDF': ['toBlob', {type: 'application/pdf'}],
   'a cutting sheet as DXF': ['toBlob', {type: 'application/dxf'}],
