@@ -106,7 +106,8 @@ export class NumberField extends LitElement {
             if (this.typed !== undefined) this.typed = (event.target as HTMLInputElement).value;
           }}
           @keydown=${(event: KeyboardEvent) => {
-            if (this.fractions) this.#step(event);
+            if (event.key === 'Enter') this.#accept(event);
+            else if (this.fractions) this.#step(event);
           }}
           @change=${(event: Event) => {
             this.#enter(event.target as HTMLInputElement);
@@ -134,6 +135,12 @@ export class NumberField extends LitElement {
     if (value === this.value) return;
     this.typed = undefined;
     this.dispatchEvent(new CustomEvent<number>('entered', {detail: value}));
+  }
+
+  /** Takes the entry at once: a listener that moves the focus must not send Enter elsewhere too. */
+  #accept(event: KeyboardEvent): void {
+    event.preventDefault();
+    this.#enter(event.target as HTMLInputElement);
   }
 
   #enter(input: HTMLInputElement): void {

@@ -45,6 +45,7 @@ function nameField({name, label, keep, close}: NameField): TemplateResult {
   const press = (event: KeyboardEvent): void => {
     event.stopPropagation(); // letters are no shortcuts here
     const field = event.target as HTMLInputElement;
+    if (event.key === 'Enter') event.preventDefault(); // or it presses what has the focus next
     if (event.key === 'Escape') end(true);
     else if (event.key === 'Enter' && keep(field.value.trim())) end(true);
   };

@@ -148,12 +148,9 @@ export class ZoomMenu extends WorkbenchElement {
 
   /** A wrong entry keeps the menu open. */
   #close(): void {
-    // the field handles Enter after this listener
-    setTimeout(() => {
-      if (this.#field?.isWrong) return;
-      this.#panel?.hidePopover();
-      this.renderRoot.querySelector('button')?.focus();
-    });
+    if (this.#field?.isWrong) return;
+    this.#panel?.hidePopover();
+    this.renderRoot.querySelector('button')?.focus();
   }
 
   /** Places the menu above its button, within the window. */
