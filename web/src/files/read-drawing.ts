@@ -110,17 +110,20 @@ function kindOf(bytes: Uint8Array, name: string, options: DrawingOptions): Drawi
     throw new FileError(
       name,
       `is larger than ${drawingLimit / 1e6} MB, which no pattern is; export the pieces of one garment alone.`,
+      {reason: 'complex'},
     );
   }
-  if (bytes.every(isBlank)) throw new FileError(name, 'is empty; export it again.');
+  if (bytes.every(isBlank))
+    throw new FileError(name, 'is empty; export it again.', {reason: 'empty'});
   const kind = recognised(bytes);
   if (kind === undefined) {
     throw new FileError(
       name,
       'is no pattern that can be read, or damaged; export it again, as PDF, DXF (AAMA or ASTM), SVG or OBJ.',
+      {reason: 'unreadable'},
     );
   }
-  if (typeof kind !== 'string') throw new FileError(name, kind.refusal);
+  if (typeof kind !== 'string') throw new FileError(name, kind.refusal, {reason: kind.reason});
   if (options.pixelsPerInch !== undefined && kind !== 'svg') {
     throw new FileError(name, 'is no SVG and has no pixels; give its unit as mm, cm or in.');
   }

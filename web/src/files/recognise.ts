@@ -1,4 +1,5 @@
 /** Recognises file types by content, regardless of the name, and explains unsupported ones. */
+import type {Refusal} from '../model/base/versioned-file.js';
 import {decoded} from './base/decoded.js';
 
 export type DrawingKind = 'dxf' | 'svg' | 'obj' | 'pdf';
@@ -18,11 +19,6 @@ interface Recognised {
   readonly kind: DrawingKind | Refusal;
 }
 
-/** Predicate of an error sentence whose subject is the file name. */
-interface Refusal {
-  readonly refusal: string;
-}
-
 const starts =
   (...marks: readonly string[]): Recognised['is'] =>
   ({bytes}) =>
@@ -35,27 +31,36 @@ const says =
 
 const picture = (what: string): Refusal => ({
   refusal: `is a ${what} picture, whatever it is called; open it as a print, or export the pattern as DXF or SVG.`,
+  reason: 'picture',
 });
 
 const model: Refusal = {
   refusal:
     'is a 3D model without flat pieces; export it as OBJ with UVs, or its pattern as DXF (AAMA or ASTM).',
+  reason: 'model',
 };
 
 const illustrator: Refusal = {
   refusal: "is Adobe Illustrator's own format; there, use File > Save a Copy, and choose SVG.",
+  reason: 'illustrator',
 };
 
 /** The first match counts. */
 const kinds: readonly Recognised[] = [
-  {is: starts('AutoCAD Binary DXF'), kind: {refusal: 'is a binary DXF; save it as ASCII DXF.'}},
+  {
+    is: starts('AutoCAD Binary DXF'),
+    kind: {refusal: 'is a binary DXF; save it as ASCII DXF.', reason: 'binary'},
+  },
   {
     is: says(/^(\s*999\s*[\r\n].*[\r\n]+)*\s*0\s*[\r\n]+\s*SECTION\s/),
     kind: 'dxf',
   },
   {
     is: says(/^AC10\d\d|^AC1\.|^MC0\.0/),
-    kind: {refusal: 'is DWG, which only CAD programs read; there, save it as ASCII DXF (R12).'},
+    kind: {
+      refusal: 'is DWG, which only CAD programs read; there, save it as ASCII DXF (R12).',
+      reason: 'binary',
+    },
   },
   {is: starts('\x89PNG'), kind: picture('PNG')},
   {is: starts('\xff\xd8\xff'), kind: picture('JPEG')},
@@ -66,24 +71,34 @@ const kinds: readonly Recognised[] = [
   {is: says(/^%!PS[^]*Adobe Illustrator/), kind: illustrator},
   // the version may follow some bytes of a mail or a web server
   {is: says(/^[^]{0,1000}%PDF-\d/), kind: 'pdf'},
-  {is: starts('%!'), kind: {refusal: 'is PostScript; save it as SVG with Inkscape.'}},
+  {
+    is: starts('%!'),
+    kind: {refusal: 'is PostScript; save it as SVG with Inkscape.', reason: 'postScript'},
+  },
   {
     is: starts('PK\x03\x04'),
     kind: {
       refusal:
         "is an archive, as CLO's and Marvelous Designer's projects (.zprj) are; there, use File > Export > DXF (AAMA/ASTM), or unpack it.",
+      reason: 'archive',
     },
   },
-  {is: starts('\x1f\x8b'), kind: {refusal: 'is compressed; save it as plain SVG, or unpack it.'}},
+  {
+    is: starts('\x1f\x8b'),
+    kind: {refusal: 'is compressed; save it as plain SVG, or unpack it.', reason: 'archive'},
+  },
   {is: starts('glTF', 'Kaydara FBX', 'BLENDER', 'PXR-USDC'), kind: model},
   {is: says(/^solid [^]*facet normal/), kind: model},
   {
     is: says(/^\s*(?:IN|SP\d|PU|PD)\d*[;,]/),
-    kind: {refusal: 'is a file for plotters (HP-GL); export the pattern as DXF (AAMA or ASTM).'},
+    kind: {
+      refusal: 'is a file for plotters (HP-GL); export the pattern as DXF (AAMA or ASTM).',
+      reason: 'plotter',
+    },
   },
   {
     is: says(/^\s*<!doctype html|^\s*<html/i),
-    kind: {refusal: 'is a web page; save the pattern itself.'},
+    kind: {refusal: 'is a web page; save the pattern itself.', reason: 'webPage'},
   },
   {is: says(/<(?:\w+:)?svg[\s>]/), kind: 'svg'},
   {
@@ -91,6 +106,7 @@ const kinds: readonly Recognised[] = [
     kind: {
       refusal:
         "is a pattern of Valentina or Seamly2D, whose outlines are formulas; there, use File > Export layout as DXF or SVG, or run 'valentina -b NAME -f 25 FILE.val'.",
+      reason: 'valentina',
     },
   },
   {
@@ -98,6 +114,7 @@ const kinds: readonly Recognised[] = [
     kind: {
       refusal:
         'holds measurements of Valentina or Seamly2D, and no pattern; export the pattern as DXF or SVG.',
+      reason: 'measurements',
     },
   },
   {is: says(/^v[tn]?[ \t]+[-+.\d][^\0]*$|^(?:mtllib|usemtl)\s/m), kind: 'obj'},

@@ -1,4 +1,5 @@
 /** Texts of the import dialog, loaded with the dialog. */
+import {drawingFaults, type Failure} from '../model/base/failure.js';
 import {loadTranslated} from './base/message.js';
 import {importing as en, type ImportTexts} from './en/import.js';
 import type {Language} from './preferences.js';
@@ -15,3 +16,16 @@ const loaders = {
 /** Loads the texts of a language. */
 export const importTexts = (language: Language): Promise<ImportTexts> =>
   loadTranslated(en, loaders, language);
+
+/**
+ * The message on a file that is no pattern, in the user's language, or in English without a known
+ * reason.
+ */
+export function saidRefusal(
+  {complaints}: ImportTexts,
+  {reason, message}: {readonly reason?: Failure['reason'] | undefined; readonly message: string},
+  file: string,
+): string {
+  const fault = drawingFaults.find((known) => known === reason);
+  return fault ? complaints[fault](file) : message;
+}

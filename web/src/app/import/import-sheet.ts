@@ -12,7 +12,6 @@ import {sheetDialog} from '../../editor/style/sheet-dialog.js';
 import {importStyle} from './import-style.js';
 import {allowanceChoice, pageChoice, pagePreview, type ShownPages} from './page-choice.js';
 import {pieceChoice, ruler, type ShownChoices} from './piece-choice.js';
-import {WorkerComplaint} from '../worker/ask.js';
 import {scaleChoice} from './scale-choice.js';
 import {drawingAgain, drawingIn, garmentFrom, type ShownDrawing} from './reading.js';
 import type {Drawing, DrawingOptions} from '../../model/garment/imported-drawing.js';
@@ -356,8 +355,7 @@ export class ImportSheet extends WorkbenchElement {
       await work(signal);
     } catch (error) {
       if (signal.aborted) return;
-      const {message} = error as Error;
-      this.trouble = error instanceof WorkerComplaint ? this.words.failed(message) : message;
+      this.trouble = (error as Error).message;
     } finally {
       if (!signal.aborted) this.isBusy = false;
     }

@@ -5,11 +5,10 @@ import {textsOf} from '../../texts/texts.js';
 import {toFailure} from '../../workbench/latest-solve.js';
 import type {Workbench} from '../../workbench/workbench.js';
 import {shortened} from '../../model/documents/project-name.js';
-import {importTexts} from '../../texts/import-texts.js';
+import {importTexts, saidRefusal} from '../../texts/import-texts.js';
 import {WorkerComplaint} from '../worker/ask.js';
 import {ImportSheet, type FileUse} from './import-sheet.js';
 import {drawingIn, type ShownDrawing} from './reading.js';
-import {spokenComplaint} from './spoken-complaint.js';
 
 /** Target of an opened drawing. */
 export interface DrawingPlace {
@@ -100,7 +99,7 @@ export async function openDrawing(
   } catch (error) {
     if (life.signal.aborted) return;
     throw error instanceof WorkerComplaint
-      ? new Error(spokenComplaint(error.message, file.name, words))
+      ? new Error(saidRefusal(words, error, file.name))
       : error;
   } finally {
     said.remove();

@@ -2,11 +2,20 @@
  * Sends one request to a separate worker, which ends after its answer; the page stays responsive,
  * and no memory is kept.
  */
+import type {Failure} from '../../model/base/failure.js';
 import type {Reply} from './serve.js';
 
 /** Reason for a missing answer, in one sentence. */
 export class WorkerComplaint extends Error {
   override readonly name = 'WorkerComplaint';
+
+  constructor(
+    message: string,
+    /** The reason, if the failure has one. */
+    readonly reason?: Failure['reason'],
+  ) {
+    super(message);
+  }
 }
 
 /**
@@ -28,7 +37,7 @@ export async function ask<Answer>(
       signal.throwIfAborted();
       worker.onmessage = ({data}: MessageEvent<Reply>) => {
         if (data.kind === 'answer') resolve(data.answer as Answer);
-        else if (data.kind === 'failed') reject(new WorkerComplaint(data.message));
+        else if (data.kind === 'failed') reject(new WorkerComplaint(data.message, data.reason));
         else void answered(data.request).catch(reject);
       };
       worker.onerror = ({message}) => {

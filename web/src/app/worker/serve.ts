@@ -1,11 +1,12 @@
 /** Worker side: answers the worker's only request. */
+import type {Failure} from '../../model/base/failure.js';
 
 /**
  * Messages of a worker for one request: its answer or its error, and before that its own requests.
  */
 export type Reply =
   | {readonly kind: 'answer'; readonly answer: unknown}
-  | {readonly kind: 'failed'; readonly message: string}
+  | {readonly kind: 'failed'; readonly message: string; readonly reason?: Failure['reason']}
   | {readonly kind: 'request'; readonly request: unknown};
 
 /** The used part of a worker's scope. */
@@ -43,7 +44,8 @@ export function serve(answerTo: (question: unknown, request: Request) => Promise
       scope.postMessage({kind: 'answer', answer});
     },
     (error: unknown) => {
-      scope.postMessage({kind: 'failed', message: (error as Error).message});
+      const {message, reason} = error as Partial<Failure> & Error;
+      scope.postMessage({kind: 'failed', message, ...(reason && {reason})});
     },
   );
 }

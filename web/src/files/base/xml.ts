@@ -120,12 +120,14 @@ class Reader {
       throw new FileError(
         this.#file,
         `holds more than ${mostElements} elements, as a picture has them and no pattern; delete all but the outlines and their marks.`,
+        {reason: 'complex'},
       );
     }
     if (this.#open.length >= deepest) {
       throw new FileError(
         this.#file,
         `has elements that lie in each other more than ${deepest} deep; ungroup them.`,
+        {reason: 'complex'},
       );
     }
     const attributes = this.#attributes(start.lastIndex);
@@ -184,6 +186,7 @@ class Reader {
     throw new FileError(
       this.#file,
       `is damaged near line ${line}, or cut short: ${what}; export it again.`,
+      {reason: 'damaged'},
     );
   }
 }

@@ -171,6 +171,7 @@ export class Blocks {
         throw new FileError(
           this.#name,
           `has a block '${block.name}' that is inserted in itself; export the pieces again.`,
+          {reason: 'damaged'},
         );
       }
       if (around.length > deepest) {
@@ -190,6 +191,7 @@ export class Blocks {
     throw new FileError(
       this.#name,
       'inserts blocks in blocks without end; export the pieces again.',
+      {reason: 'damaged'},
     );
   }
 }

@@ -13,5 +13,6 @@ export function checkCount(count: number, file: string, most = mostPieces): void
   throw new FileError(
     file,
     `holds ${count} pieces, more than the ${most} of any garment; export those of one garment alone.`,
+    {reason: 'complex'},
   );
 }

@@ -51,6 +51,7 @@ export function documentOf(text: string, name: string): DxfDocument {
       throw new FileError(
         name,
         `draws more than ${mostEntities} lines and points, which no garment has; export the pieces of one alone.`,
+        {reason: 'complex'},
       );
     }
     if (entity) (section === 'BLOCKS' ? open?.entities : entities)?.push(entity);

@@ -122,6 +122,7 @@ function piecesOf(
     why === undefined
       ? 'has no closed outline; export the pieces as DXF (AAMA or ASTM).'
       : `has no closed outline: ${why}`,
+    {reason: 'outline'},
   );
 }
 

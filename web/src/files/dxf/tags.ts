@@ -131,6 +131,6 @@ function* linesOf(text: string): Generator<string, undefined> {
 }
 
 const damaged = (name: string, line: number, what: string): FileError =>
-  new FileError(name, `is damaged near line ${line}${what}; export it again.`);
+  new FileError(name, `is damaged near line ${line}${what}; export it again.`, {reason: 'damaged'});
 
 const quoted = (text: string): string => `'${text.trim().slice(0, 24)}'`;

@@ -166,6 +166,7 @@ class Parser {
     throw new FileError(
       this.#file,
       `has more than ${mostTriangles} triangles, which no garment needs; export a coarser mesh.`,
+      {reason: 'complex'},
     );
   }
 
@@ -233,6 +234,7 @@ class Parser {
     throw new FileError(
       this.#file,
       `${what} (line ${this.#line}); it may be damaged: export it again.`,
+      {reason: 'damaged'},
     );
   }
 }

@@ -41,6 +41,7 @@ export function readObj(bytes: Uint8Array, file: string, units?: FileUnit): Draw
     throw new FileError(
       file,
       `falls into ${count} pieces in its texture, as no garment does; export it with the UVs of its pattern.`,
+      {reason: 'model'},
     );
   }
   if (panels.broken > 0) {
@@ -100,13 +101,15 @@ function flatPart(mesh: ObjMesh, file: string): ObjMesh {
   const all = groups.length;
   let count = 0;
   for (let triangle = 0; triangle < all; triangle++) if (isFlat(triangle)) count++;
-  if (all === 0) throw new FileError(file, 'has no faces; export the mesh of the garment.');
+  if (all === 0)
+    throw new FileError(file, 'has no faces; export the mesh of the garment.', {reason: 'model'});
   if (count === 0) {
     throw new FileError(
       file,
       hasFlat
         ? 'has texture coordinates (vt) that no face names; export it with UVs on its faces (f v/vt).'
         : 'has no texture coordinates (vt), in which the flat pieces would lie; export it with UVs.',
+      {reason: 'model'},
     );
   }
   if (count === all) return mesh;

@@ -37,7 +37,7 @@ export function readSvg(text: string, file: string, options: DrawingOptions = {}
   const isKnown = isMeasured || options.units !== undefined || options.pixelsPerInch !== undefined;
   const {program} = sheet;
   const {pieces, notes: found} = foundIn(sheet);
-  if (pieces.length === 0) throw new FileError(file, whyNone(sheet, found));
+  if (pieces.length === 0) throw new FileError(file, whyNone(sheet, found), {reason: 'outline'});
   const title = titleOf(sheet);
   return {
     kind: 'svg',
@@ -86,7 +86,9 @@ function svgOf(text: string, file: string): XmlDocument {
   const document = readXml(text, file);
   const {name} = document.root;
   if (name === 'svg') return document;
-  throw new FileError(file, `is XML, but no SVG: its outermost element is <${name}>.`);
+  throw new FileError(file, `is XML, but no SVG: its outermost element is <${name}>.`, {
+    reason: 'unreadable',
+  });
 }
 
 /** A drawing in millimetres. */

@@ -154,6 +154,7 @@ class Walk {
       throw new FileError(
         this.#file,
         `draws more than ${mostDrawn} shapes, as a picture does and no pattern; delete all but the outlines and their marks.`,
+        {reason: 'complex'},
       );
     }
     const style = styleOf(element, around.style, this.sheet);
@@ -202,6 +203,7 @@ class Walk {
     throw new FileError(
       this.#file,
       `draws '${attributes.get('id') ?? 'a path'}' through more points than any outline has; simplify it.`,
+      {reason: 'complex'},
     );
   }
 

@@ -86,6 +86,17 @@ export const photoFaults = [
 ] as const;
 export type PhotoFault = (typeof photoFaults)[number];
 
+/** Reasons why a file of another program is no pattern that can be read. */
+export const drawingFaults = [
+  ...(['unreadable', 'empty', 'damaged', 'complex', 'locked'] as const),
+  /** No line is closed, as the outline of a piece is. */
+  'outline',
+  /** The kind of the file. */
+  ...(['archive', 'binary', 'illustrator', 'model', 'picture', 'plotter', 'postScript'] as const),
+  ...(['webPage', 'valentina', 'measurements', 'scan', 'noPattern'] as const),
+] as const;
+export type DrawingFault = (typeof drawingFaults)[number];
+
 /**
  * Reasons why pieces cannot be laid on the fabric, or why a garment cannot be draped. They are part
  * of the API, too.
@@ -116,7 +127,11 @@ export const drapeReasons = [
 
 /** Reason of a failure within its code. */
 type FailureReason =
-  SymmetryReason | PhotoFault | (typeof layReasons)[number] | (typeof drapeReasons)[number];
+  | SymmetryReason
+  | PhotoFault
+  | DrawingFault
+  | (typeof layReasons)[number]
+  | (typeof drapeReasons)[number];
 
 /** A failure as plain data that can be posted between threads. */
 export interface Failure {

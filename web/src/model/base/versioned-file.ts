@@ -1,11 +1,20 @@
 /** The project's own files, which state the version of their format. */
-import {SolverError, type FailureCode} from './failure.js';
+import {SolverError, type DrawingFault, type FailureCode} from './failure.js';
 import {fieldOf, isTooDeep, Malformed, type Read} from './read.js';
 
-/** Code of a file error, and its cause. */
+/** Code and reason of a file error, and its cause. */
 interface FileErrorOptions extends ErrorOptions {
   /** Default `file`. */
   readonly code?: FailureCode;
+  /** Reason why a drawing is no pattern. */
+  readonly reason?: DrawingFault;
+}
+
+/** Why a drawing is no pattern. */
+export interface Refusal {
+  /** Predicate of an error sentence whose subject is the file name. */
+  readonly refusal: string;
+  readonly reason: DrawingFault;
 }
 
 /**
@@ -15,8 +24,12 @@ export class FileError extends SolverError {
   override readonly name = 'FileError';
   readonly file: string;
 
-  constructor(file: string, complaint: string, {code = 'file', ...options}: FileErrorOptions = {}) {
-    super({code, message: `${file} ${complaint}`}, options);
+  constructor(
+    file: string,
+    complaint: string,
+    {code = 'file', reason, ...options}: FileErrorOptions = {},
+  ) {
+    super({code, message: `${file} ${complaint}`, ...(reason && {reason})}, options);
     this.file = file;
   }
 }

@@ -5,7 +5,6 @@ export const importing = {
   title: text('Open {file}'),
   reading: text('Reading {file} …'),
   readingPage: text('Reading {file}: page {page, number} of {count, number} …'),
-  failed: text('{message}'),
   /** Reasons why a file is no pattern. */
   complaints: {
     unreadable: text(
@@ -27,6 +26,27 @@ export const importing = {
       '{file} is a 3D model without flat pieces; export it as OBJ with UVs, or export its pattern as DXF (AAMA or ASTM).',
     ),
     plotter: text('{file} is a plotter file (HP-GL); export the pattern as DXF (AAMA or ASTM).'),
+    complex: text(
+      '{file} draws far more than a sewing pattern does; export the outlines of one garment alone.',
+    ),
+    locked: text(
+      '{file} is locked by a password; open it in a PDF viewer, and save it without one.',
+    ),
+    picture: text(
+      '{file} is a picture; open it as a print, or export the pattern as PDF, DXF or SVG.',
+    ),
+    postScript: text(
+      '{file} is a PostScript file; save it as PDF or SVG, for example with Inkscape.',
+    ),
+    measurements: text(
+      '{file} holds measurements, and no pattern; export the pattern as DXF or SVG.',
+    ),
+    scan: text(
+      '{file} shows scanned pages; only patterns that are drawn with lines can be read, so ask its maker for a PDF with lines.',
+    ),
+    noPattern: text(
+      '{file} shows no page with a pattern; choose the PDF of the pattern, not the one with the instructions.',
+    ),
     webPage: text('{file} is a web page; save the pattern itself.'),
     valentina: text(
       '{file} is a Valentina or Seamly2D pattern, whose outlines are formulas; export its layout there as DXF or SVG.',

@@ -1,5 +1,6 @@
 /** Notes on the pages of a PDF, and the reasons why none shows a piece. */
 import {rangesOf} from '../../../model/base/number-ranges.js';
+import type {Refusal} from '../../../model/base/versioned-file.js';
 import type {Sheet} from './assemble.js';
 import {isBare} from './ink.js';
 import type {PdfPages} from './open-pdf.js';
@@ -43,21 +44,36 @@ export function assemblyNotes(sheet: Sheet, {pages, hasPictures}: PdfPages): str
   ];
 }
 
-/** Predicate of an error sentence whose subject is the file. */
+/** Why a file without a piece is no pattern. */
 export function whyNoPiece(
   {pages, hasPictures}: PdfPages,
   {lines}: Pick<Sheet, 'lines'>,
   notes: readonly string[],
-): string {
+): Refusal {
   const drawn = pages.some((page) => page.lines.some(({style}) => style.stroke !== undefined));
   if (hasPictures && pages.every(isBare)) {
-    return 'shows pictures alone, as scans do; only patterns drawn with lines can be read, so ask its maker for a PDF with lines.';
+    return {
+      refusal:
+        'shows pictures alone, as scans do; only patterns drawn with lines can be read, so ask its maker for a PDF with lines.',
+      reason: 'scan',
+    };
   }
-  if (!drawn)
-    return 'shows no lines; choose the PDF of the pattern, and not that of its instructions.';
+  if (!drawn) {
+    return {
+      refusal: 'shows no lines; choose the PDF of the pattern, and not that of its instructions.',
+      reason: 'noPattern',
+    };
+  }
   const first = notes.find((note) => /does not close|as no pattern has/.test(note));
-  if (first !== undefined) return `shows no piece: ${first}`;
+  if (first !== undefined) return {refusal: `shows no piece: ${first}`, reason: 'outline'};
   return lines.length === 0
-    ? 'shows no page with a pattern; name its pages, rows and columns.'
-    : 'shows no closed line of 4 cm² or more; name the pages of the pattern, or their rows and columns.';
+    ? {
+        refusal: 'shows no page with a pattern; name its pages, rows and columns.',
+        reason: 'noPattern',
+      }
+    : {
+        refusal:
+          'shows no closed line of 4 cm² or more; name the pages of the pattern, or their rows and columns.',
+        reason: 'outline',
+      };
 }

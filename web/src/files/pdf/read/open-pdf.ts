@@ -81,6 +81,7 @@ export async function openPdf(
           throw new FileError(
             file,
             `draws more than ${mostPoints / 1e6} million points up to page ${number}, as a picture does and no pattern; choose its pattern pages, or export the outlines alone.`,
+            {reason: 'complex'},
           );
         }
         notes.push(`Page ${number} is damaged, and left out.`);
@@ -88,7 +89,9 @@ export async function openPdf(
       await onPage?.(k + 1, numbers.length);
     }
     if (pages.length === 0)
-      throw new FileError(file, 'has no page that can be read; export it again.');
+      throw new FileError(file, 'has no page that can be read; export it again.', {
+        reason: 'damaged',
+      });
     if (chosen === undefined && count > numbers.length) {
       notes.push(
         `The file has ${count} pages, of which the first ${numbers.length} are read; choose others by their numbers.`,
@@ -123,11 +126,14 @@ async function opened(document: Promise<Document>, file: string): Promise<Docume
     return await document;
   } catch (cause) {
     const {name} = cause as Error;
-    const why =
-      name === 'PasswordException'
+    const isLocked = name === 'PasswordException';
+    throw new FileError(
+      file,
+      isLocked
         ? 'is locked by a password; open it in a PDF viewer, and save it without one.'
-        : 'is a damaged PDF; download or export it again.';
-    throw new FileError(file, why, {cause});
+        : 'is a damaged PDF; download or export it again.',
+      {cause, reason: isLocked ? 'locked' : 'damaged'},
+    );
   }
 }
 

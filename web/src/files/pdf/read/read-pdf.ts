@@ -92,9 +92,9 @@ export function drawingOfPdf(
   const sized = chosenSize(sheet, layers, options.size, file);
   const drawn = drawingOf(sized, program);
   const found = genericPieces(drawn);
-  const complaint = found.pieces.length > 0 ? undefined : whyNoPiece(pdf, whole, found.notes);
-  if (complaint !== undefined && !(isOffered && whole.lines.length > 0)) {
-    throw new FileError(file, complaint);
+  const why = found.pieces.length > 0 ? undefined : whyNoPiece(pdf, whole, found.notes);
+  if (why !== undefined && !(isOffered && whole.lines.length > 0)) {
+    throw new FileError(file, why.refusal, why);
   }
   const stated = statedAllowance(pdf.pages.flatMap(({texts}) => texts.map(({text}) => text)));
   const pieces = withOpenCutLines(found.pieces, drawn);
@@ -112,7 +112,7 @@ export function drawingOfPdf(
     seams: [],
     pages: placed(whole, isScaled ? scale : 1, pdf),
     notes: [
-      ...(complaint === undefined ? [] : [`${file} ${complaint}`]),
+      ...(why === undefined ? [] : [`${file} ${why.refusal}`]),
       ...assemblyNotes(whole, pdf),
       ...(isScaled && ratio !== undefined && options.scale === undefined ? [scaleNote(ratio)] : []),
       ...[
