@@ -87,6 +87,15 @@ TEST(SeamReason, OfSidesAtAnAngleIsTheirGrain) {
   std::vector<PieceRule> fitting = kOnGrain;
   fitting[1].angles = {0, turn};
   EXPECT_EQ(pair.obstacle("p1", fitting).reason, SeamReason::kOthers) << "the second angle fits";
+  const auto within = [&](double tolerance) {
+    std::vector<PieceRule> rules = kOnGrain;
+    for (PieceRule& rule : rules) rule.tolerance = tolerance;
+    return pair.obstacle("p1", rules);
+  };
+  EXPECT_EQ(within(turn / 2).reason, SeamReason::kOthers) << "both sides turn halfway";
+  EXPECT_EQ(within(turn / 4).reason, SeamReason::kGrain);
+  EXPECT_NEAR(within(turn / 4).left, 15 * std::sin(turn / 4), 0.1)
+      << "they turn as far as they may";
 }
 
 TEST(SeamReason, OfSidesOfDifferentLengthsIsTheirGather) {

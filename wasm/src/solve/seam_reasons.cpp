@@ -56,6 +56,13 @@ std::vector<double> anglesOf(const MatchProblem& match, int piece) {
   return angles;
 }
 
+/// `linear` turned towards `wanted`, of the same handedness, by at most `most`. [rad]
+Mat2 turnedTowards(const Mat2& linear, const Mat2& wanted, double most) {
+  const Mat2 turn = wanted * linear.transpose();
+  const double angle = std::atan2(turn(1, 0), turn(0, 0));
+  return rotation(std::clamp(angle, -most, most)) * linear;
+}
+
 bool isLocked(const Pattern& pattern, const SeamSide& side, const std::vector<EdgeRef>& locked) {
   const Piece& piece = pattern.pieces[side.piece];
   const int k = outlineEdge(piece, side.vertices[0], side.vertices[1]);
@@ -79,20 +86,28 @@ SeamObstacle obstacleOf(const Pattern& pattern, const Seam& seam, const MatchPro
   bool has[2] = {false, false};
   for (const Element& e : elements)
     if (!e.mirrored || !match.continuous_only) has[e.mirrored] = true;
-  double free[2];
-  for (const bool mirrored : {false, true}) free[mirrored] = apart(m, bestLinear(m, mirrored));
+  const Mat2 best[2] = {bestLinear(m, false), bestLinear(m, true)};
+  const double free[2] = {apart(m, best[0]), apart(m, best[1])};
   const double possible = has[1] ? std::min(free[0], free[1]) : free[0];
   if (possible > kSeenMismatch)
     return {free[1] > kSeenMismatch ? SeamReason::kSize : SeamReason::kGroup, possible};
   const std::vector<double> of_a = anglesOf(match, seam.a.piece);
   const std::vector<double> of_b = anglesOf(match, seam.b.piece);
   if (of_a.empty() || of_b.empty()) return {SeamReason::kOthers, 0};
+  const auto &a = match.pieces[seam.a.piece], &b = match.pieces[seam.b.piece];
+  const double tolerance = match.leaders[a.leader].admissible.tolerance() +
+                           match.leaders[b.leader].admissible.tolerance();
   double allowed = std::numeric_limits<double>::infinity();
-  for (const double a : of_a)
-    for (const double b : of_b)
-      for (const Element& e : elements)
-        if (has[e.mirrored] && (seam.a.piece != seam.b.piece || a == b))
-          allowed = std::min(allowed, apart(m, rotation(a) * e.A * rotation(-b)));
+  for (const double angle_a : of_a)
+    for (const double angle_b : of_b)
+      for (const Element& e : elements) {
+        if (!has[e.mirrored] || (seam.a.piece == seam.b.piece && angle_a != angle_b)) continue;
+        // Pieces with one leader turn together, or against each other if one is the mirror image.
+        const bool is_fixed = a.leader == b.leader && e.mirrored == (a.mirrored != b.mirrored);
+        const Mat2 linear = rotation(angle_a) * e.A * rotation(-angle_b);
+        allowed = std::min(
+            allowed, apart(m, turnedTowards(linear, best[e.mirrored], is_fixed ? 0 : tolerance)));
+      }
   if (allowed > kSeenMismatch) return {SeamReason::kGrain, allowed};
   return {SeamReason::kOthers, 0};
 }

@@ -45,21 +45,15 @@ struct Shares {
 };
 
 /// Lengths of edges within the visible mismatch and within twice as much.
-template <class Edges>
-Shares sharesOf(const Edges& from, const Edges& to) {
+Shares sharesOf(const std::vector<Edge>& edges, std::size_t first, std::size_t last) {
   Shares shares;
-  for (auto edge = from; edge != to; ++edge) {
-    shares.length += edge->length;
-    if (edge->mismatch <= kSeenMismatch) shares.seen += edge->length;
-    if (edge->mismatch <= 2 * kSeenMismatch) shares.close += edge->length;
+  for (std::size_t i = first; i < last; ++i) {
+    const auto& [length, mismatch] = edges[i];
+    shares.length += length;
+    if (mismatch <= kSeenMismatch) shares.seen += length;
+    if (mismatch <= 2 * kSeenMismatch) shares.close += length;
   }
   return shares;
-}
-
-/// The first edge that does not mismatch.
-template <class Edges>
-Edges firstSeen(const Edges& from, const Edges& to) {
-  return std::find_if(from, to, [](const Edge& edge) { return edge.mismatch <= kSeenMismatch; });
 }
 
 bool isImpossible(const SeamObstacle& obstacle, double reach) {
@@ -71,19 +65,19 @@ bool isImpossible(const SeamObstacle& obstacle, double reach) {
 
 /// The state by lengths alone, and an end that mismatches while the rest matches.
 void judge(const std::vector<Edge>& edges, const SeamGroup& of, GroupFigures* figures) {
-  const Shares all = sharesOf(edges.begin(), edges.end());
+  const std::size_t count = edges.size();
+  const Shares all = sharesOf(edges, 0, count);
   figures->state = all.seen >= kMostOfIt * all.length    ? SeamState::kMatches
                    : all.close >= kMostOfIt * all.length ? SeamState::kClose
                                                          : SeamState::kOff;
-  const auto first = firstSeen(edges.begin(), edges.end());
-  const auto last = firstSeen(edges.rbegin(), edges.rend());
-  if (first == edges.end()) return;
-  const double start = sharesOf(edges.begin(), first).length;
-  const double end = sharesOf(edges.rbegin(), last).length;
+  std::size_t first = 0, last = count;  // the edges that do not mismatch begin and end here
+  while (first < last && edges[first].mismatch > kSeenMismatch) ++first;
+  while (first < last && edges[last - 1].mismatch > kSeenMismatch) --last;
+  if (first == last) return;
+  const double start = sharesOf(edges, 0, first).length, end = sharesOf(edges, last, count).length;
   const bool at_start = start >= end;
   const double cm = std::max(start, end);
-  const Shares rest =
-      at_start ? sharesOf(first, edges.end()) : sharesOf(edges.begin(), last.base());
+  const Shares rest = at_start ? sharesOf(edges, first, count) : sharesOf(edges, 0, last);
   if (cm < kLeastEnd || rest.seen < kMostOfIt * rest.length) return;
   const bool is_short = cm <= std::max(kEndLength, kEndShare * all.length) && cm < all.length / 2;
   if (!is_short) return;

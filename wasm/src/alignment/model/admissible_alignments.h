@@ -38,6 +38,8 @@ class AdmissibleAlignments {
   /// Places that put different prints on the piece (others are turns of the print onto itself).
   const std::vector<Place>& places() const { return distinct_; }
   const std::vector<double>& angles() const { return angles_; }
+  /// Greatest turn away from angles(). [rad]
+  double tolerance() const { return tolerance_; }
 
   /// The alignment on `place` whose axis point nearest `centre` is `slide` cm along the line.
   Alignment onPlace(const Place& place, const Vec2& centre, double slide) const;
