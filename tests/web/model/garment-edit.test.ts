@@ -334,10 +334,8 @@ it('takes what a design decides of edges and seams along', () => {
 });
 
 it('an outline goes straight on where a curve ends along the next edge', () => {
-  const [corner, end]: Point[] = [
-    [0, 0],
-    [10, 5],
-  ];
+  const corner: Point = [0, 0];
+  const end: Point = [10, 5];
   const outline: DraftedEdge[] = [
     {points: [corner, [0, 5], [5, 5]]},
     {points: [[5, 5], end]},
