@@ -121,6 +121,9 @@ TEST(OptionsFile, ThatIsUnusableNamesTheField) {
          {"match 0, side a", "'cuff'"});
   refuse(R"({"matches": [{"a": {"piece": "front", "line": [[0, 0], [0, 0]]}, "b": 1}]})",
          {"match 0, side a", "shorter than"});
+  refuse(R"({"matches": [{"a": {"piece": "front", "line": [[1, 0], [1, 9]]},
+                          "b": {"piece": "back", "line": [[9, 0], [9, 9]]}, "wieght": 3}]})",
+         {"match 0", "unknown field 'wieght'"});
 }
 
 TEST(SolveOptions, FindsWhatNoFileCouldHold) {
@@ -134,9 +137,14 @@ TEST(SolveOptions, FindsWhatNoFileCouldHold) {
   o = {};
   o.weights[0] = INFINITY;
   EXPECT_NE(o.problem().find("weights"), std::string::npos);
-  o = {};
-  o.matches.push_back({0, 1, {{0, 0}, {1, 1}}, {{0, 0}}, 1.0});
-  EXPECT_NE(o.problem().find("matches"), std::string::npos);
+  const Polyline point = {{0, 0}}, line = {{0, 0}, {1, 1}};
+  for (const MatchLine& match :
+       {MatchLine{0, 1, line, point, 1.0}, MatchLine{0, 1, point, point, 1.0},
+        MatchLine{0, 1, line, line, -1.0}, MatchLine{0, -1, line, line, 1.0}}) {
+    o = {};
+    o.matches = {match};
+    EXPECT_NE(o.problem().find("matches"), std::string::npos);
+  }
 }
 
 // --- problem -------------------------------------------------------------------------------------

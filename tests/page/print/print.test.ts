@@ -5,6 +5,7 @@ import {expect, it} from 'vitest';
 import type {SeamwisePage} from '@/app/page.js';
 import {button, usePage} from '../../support/page/page.js';
 import {designOf} from '../../support/page/design.js';
+import {choose} from '../../support/page/files.js';
 import {printRadio} from '../../support/page/prints.js';
 
 const openPage = usePage();
@@ -33,9 +34,7 @@ const enter = async (page: Page, label: string, value: string): Promise<void> =>
 const proportions = (page: Page): Locator => button(page, 'Keep the proportions');
 
 const open = (page: Page, name: string, mimeType: string, content: string): Promise<void> =>
-  page
-    .locator('sw-print-panel input[type=file]')
-    .setInputFiles({name, mimeType, buffer: Buffer.from(content)});
+  choose(page, 'My fabric', {name, mimeType, content});
 
 /**
  * A tile of 20 by 10 with a disc in its middle, which has both mirrors, and any further drawing.
@@ -210,7 +209,7 @@ it(
   },
 );
 
-it('finds both mirrors of a picture', {tags: ['thorough']}, async () => {
+it('opens a picture with a button, and finds both of its mirrors', async () => {
   const page = await quietPage();
   await open(page, 'dot.svg', 'image/svg+xml', tile());
   await page.getByText('Your own: dot').waitFor();

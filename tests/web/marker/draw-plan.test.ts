@@ -113,6 +113,15 @@ describe('crosses', () => {
   });
 });
 
+it('a piece about which nothing is known has a grain line along the selvedge', () => {
+  for (const {cut, grain} of planPieces(plan, {}, ({piece}) => piece)) {
+    const [from, to] = grain;
+    expect(to[0]).toBeCloseTo(from[0], 9);
+    expect(to[1] - from[1]).toBeGreaterThan(5);
+    for (const end of [from, to]) expect(holds(cut, end)).toBe(true);
+  }
+});
+
 describe('the plan as SVG', () => {
   it('has a line for each piece, its figures, and a tenth of its size', () => {
     const svg = drawPlanSvg(plan, {...options, title: 'Shirt <M>'});

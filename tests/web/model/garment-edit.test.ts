@@ -17,6 +17,7 @@ import {
   unsew,
 } from '@/model/garment/edits.js';
 import type {DraftedEdge, GarmentDocument} from '@/model/garment/garment-document.js';
+import {goesStraightOn} from '@/model/garment/join-edges.js';
 import {distance, nearestShare, between, type Point} from '@/model/geometry/vectors.js';
 import {lengthOf} from '@/model/geometry/polyline.js';
 import type {Design} from '@/model/design/design.js';
@@ -330,4 +331,20 @@ it('takes what a design decides of edges and seams along', () => {
     weights: {'0': 3},
     unmatched: [],
   });
+});
+
+it('an outline goes straight on where a curve ends along the next edge', () => {
+  const corner: Point = [0, 0];
+  const end: Point = [10, 5];
+  const outline: DraftedEdge[] = [
+    {points: [corner, [0, 5], [5, 5]]},
+    {points: [[5, 5], end]},
+    {points: [end, corner]},
+  ];
+  const document = documentOf([draftedSquare('a', {outline})]);
+  expect([0, 1, 2].map((edge) => goesStraightOn(document, {piece: 0, edge}))).toEqual([
+    true,
+    false,
+    false,
+  ]);
 });

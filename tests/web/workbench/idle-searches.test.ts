@@ -73,6 +73,17 @@ describe('a longer search', () => {
     expect(afterwards.searches.isRunning('longer', design)).toBe(false);
   });
 
+  it('reports a better answer as soon as there is one', async () => {
+    const {afterwards, asked} = working(({seed}) => (seed === 3 ? 2 : 1));
+    const {searches} = afterwards;
+    let solvesBefore: number | undefined;
+    searches.subscribe(() => {
+      if (searches.better(design)) solvesBefore ??= asked.length;
+    });
+    await afterwards.search('longer', design, matching(1));
+    expect(solvesBefore).toBe(2);
+  });
+
   it('solves nothing again once its answer is taken, or taken back', async () => {
     const {afterwards, asked} = working(({seed}) => (seed === 3 ? 2 : 1));
     await afterwards.search('longer', design, matching(1));

@@ -57,6 +57,8 @@ const rows = (groups: readonly SeamGroup[], options?: Design['options']): readon
 describe('the lines of seams', () => {
   it('leave out seams that an edit has removed', () => {
     expect(rows([group(0), group(7)]).map(({seams}) => seams)).toEqual([[0]]);
+    const pair = group(0, {seams: [0, 1, 7]});
+    expect(rows([pair, group(7)]).map(({seams}) => seams)).toEqual([[0, 1]]);
   });
 
   it('put the most visible first, and hidden ones at the end', () => {
