@@ -60,8 +60,55 @@ describe('a PDF', () => {
     const [width, height] = a4;
     const pages = Array.from({length: 6}, () => ({width, height, content}));
     await expect(read(pdfOf(pages))).rejects.toThrow(
-      /^bad\.pdf draws more than 1\.2 million points/,
+      /^bad\.pdf has more than 180,000 visible points up to page 1/,
     );
+  });
+
+  it('of forms that draw each other millions of times is refused', async () => {
+    const wave = Array.from({length: 200}, (_, k) => `${k} ${k % 7} l`).join('\n');
+    const page = {width: 210, height: 297, content: '/Form0 Do'};
+    const text = textOf(pdfOf([page])).replace('/Font<<', '/XObject<</Form0 101 0 R>>/Font<<');
+    const forms = Array.from({length: 7}, (_, k) => {
+      const draws = k < 6 ? '/Inner Do '.repeat(10) : `0 0 m ${wave} S`;
+      const inner = `/Resources<</XObject<</Inner ${102 + k} 0 R>>>>`;
+      const entries = `/Subtype/Form/BBox[0 0 300 300]${inner}/Length ${draws.length}`;
+      return `${101 + k} 0 obj\n<<${entries}>>\nstream\n${draws}\nendstream\nendobj\n`;
+    });
+    const bytes = bytesOf(
+      text.replace('xref\n', `${forms.join('')}xref\n`).replace(/startxref\n\d+/, 'startxref\n7'),
+    );
+    await expect(read(bytes)).rejects.toThrow(/^bad\.pdf has more than \S+ (?:\S+ )?points up to/);
+  });
+
+  it('of pages of letters drawn as outlines is read', async () => {
+    const letter = Array.from(
+      {length: 90},
+      (_, k) => `${Math.cos(k / 14.4)} ${Math.sin(k / 14.4)} l`,
+    );
+    const letters = Array.from(
+      {length: 2500},
+      (_, k) =>
+        `q 1 0 0 1 ${10 + 3 * (k % 60)} ${10 + 5 * Math.floor(k / 60)} cm 1 0 m ${letter.join(' ')} f Q`,
+    ).join('\n');
+    const [width, height] = a4;
+    const outlined = Array.from({length: 2}, () => ({width, height, content: letters}));
+    const {pieces, notes} = await read(pdfOf([...outlined, ...tiles]));
+    expect(pieces).toHaveLength(4);
+    expect(notes.join(' ')).toContain('filled marks from page 2 on are left out');
+  });
+
+  it('of thousands of lines of words is refused', async () => {
+    const words = (page: number): string =>
+      Array.from(
+        {length: 12_000},
+        (_, k) => `BT /F1 4 Tf ${k % 200} ${(k * 5 + page) % 290} Td (W) Tj ET`,
+      ).join('\n');
+    const pages = Array.from({length: 10}, (_, k) => ({
+      width: 210,
+      height: 297,
+      content: words(k),
+    }));
+    await expect(read(pdfOf(pages))).rejects.toThrow(/^bad\.pdf has more than 100,000 texts/);
   });
 
   it('with neither pages nor objects is refused', async () => {

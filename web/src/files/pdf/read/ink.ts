@@ -44,6 +44,8 @@ export interface PageInk {
   readonly window: Box;
   readonly lines: readonly InkLine[];
   readonly texts: readonly InkText[];
+  /** True if the page has filled marks that are not read, since the file has too many. */
+  readonly hasMoreMarks?: true;
 }
 
 /** The number of letters on a page. */

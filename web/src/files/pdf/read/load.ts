@@ -2,7 +2,15 @@
  * Loads pdf.js in Node and in workers. Only its operator lists are used: nothing is drawn, executed
  * or fetched.
  */
-type PdfJs = typeof import('pdfjs-dist/legacy/build/pdf.mjs');
+import type {OperatorPort} from './operator-port.js';
+
+type Library = typeof import('pdfjs-dist/legacy/build/pdf.mjs');
+
+interface PdfJs {
+  readonly library: Library;
+  /** Connects the library and its parser, both in this thread, by a port. */
+  readonly connect: (port: OperatorPort) => InstanceType<Library['PDFWorker']>;
+}
 
 /** Globals of browsers that pdf.js requires while its modules are evaluated, and only there. */
 const placeholders: Readonly<Record<string, unknown>> = {
@@ -16,7 +24,7 @@ const placeholders: Readonly<Record<string, unknown>> = {
 
 let loaded: Promise<PdfJs> | undefined;
 
-/** Returns pdf.js, with its parser in this thread. */
+/** Returns pdf.js, once it is loaded. */
 export const pdfJs = (): Promise<PdfJs> => (loaded ??= load());
 
 async function load(): Promise<PdfJs> {
@@ -28,8 +36,12 @@ async function load(): Promise<PdfJs> {
       import('pdfjs-dist/legacy/build/pdf.mjs'),
       import('pdfjs-dist/legacy/build/pdf.worker.mjs'),
     ]);
-    scope.pdfjsWorker = parser;
-    return library;
+    const connect: PdfJs['connect'] = (port) => {
+      const worker = new library.PDFWorker({port: port as unknown as null, verbosity: 0});
+      parser.WorkerMessageHandler.initializeFromPort(port);
+      return worker;
+    };
+    return {library, connect};
   } finally {
     for (const name of added) Reflect.deleteProperty(scope, name);
   }

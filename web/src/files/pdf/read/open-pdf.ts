@@ -3,7 +3,9 @@ import {FileError} from '../../../model/base/versioned-file.js';
 import {after, planeMap, scaling, shifting, turning} from '../../../model/geometry/plane-map.js';
 import {pdfJs} from './load.js';
 import type {PageInk} from './ink.js';
-import {readInk, type PageFrame, type PointBudget} from './page-ink.js';
+import {OperatorPort} from './operator-port.js';
+import {inkReader, type PageFrame} from './page-ink.js';
+import {ReadingBudget} from './reading-budget.js';
 
 /** A layer of the file. */
 export interface PdfLayer {
@@ -27,9 +29,6 @@ export interface PdfPages {
 /** Greatest number of pages that are read. */
 const mostPages = 200;
 
-/** Greatest number of points of all lines, far above that of a pattern in ten sizes. */
-const mostPoints = 1_200_000;
-
 const millimetresPerPoint = 25.4 / 72;
 
 /** Greatest side of a page; viewers show no larger ones. [mm] */
@@ -42,7 +41,8 @@ interface PageChoice {
   readonly onPage?: (read: number, count: number) => Promise<void>;
 }
 
-type Document = Awaited<ReturnType<Awaited<ReturnType<typeof pdfJs>>['getDocument']>['promise']>;
+type Library = Awaited<ReturnType<typeof pdfJs>>['library'];
+type Document = Awaited<ReturnType<Library['getDocument']>['promise']>;
 type Page = Awaited<ReturnType<Document['getPage']>>;
 
 /**
@@ -54,10 +54,13 @@ export async function openPdf(
   file: string,
   {pages: chosen, onPage}: PageChoice,
 ): Promise<PdfPages> {
-  const library = await pdfJs();
+  const {library, connect} = await pdfJs();
+  const port = new OperatorPort();
+  const worker = connect(port);
   const task = library.getDocument({
-    // pdf.js transfers the bytes, and empties them for the caller
-    data: new Uint8Array(bytes),
+    worker,
+    // pdf.js reads whole buffers, and none of Node
+    data: wholeBuffer(bytes),
     ...{isEvalSupported: false, enableXfa: false, useWasm: false, useWorkerFetch: false},
     ...{disableFontFace: true, useSystemFonts: false, fontExtraProperties: false},
     ...{disableAutoFetch: true, disableStream: true, isOffscreenCanvasSupported: false},
@@ -68,23 +71,23 @@ export async function openPdf(
     const count = document.numPages;
     const numbers = pagesToRead(chosen, count, file);
     const {layers, names} = await layersOf(document);
-    const budget: PointBudget = {left: mostPoints};
+    const budget = new ReadingBudget();
     const pages: PageInk[] = [];
     const notes: string[] = [];
     for (const [k, number] of numbers.entries()) {
       try {
         const page = await document.getPage(number);
-        pages.push(await inkOf(page, number, {library, names, budget}));
+        pages.push(await inkOf(page, number, {library, port, names, budget}));
         page.cleanup();
-      } catch (error) {
-        if (error instanceof RangeError && budget.left < 0) {
-          throw new FileError(
-            file,
-            `draws more than ${mostPoints / 1e6} million points up to page ${number}, as a picture does and no pattern; choose its pattern pages, or export the outlines alone.`,
-            {reason: 'complex'},
-          );
-        }
+      } catch {
         notes.push(`Page ${number} is damaged, and left out.`);
+      }
+      if (budget.exceeded !== undefined) {
+        throw new FileError(
+          file,
+          `has more than ${budget.exceeded} up to page ${number}, as pictures and books have; choose its pattern pages, or export the outlines alone.`,
+          {reason: 'complex'},
+        );
       }
       await onPage?.(k + 1, numbers.length);
     }
@@ -92,6 +95,12 @@ export async function openPdf(
       throw new FileError(file, 'has no page that can be read; export it again.', {
         reason: 'damaged',
       });
+    const unread = pages.find(({hasMoreMarks}) => hasMoreMarks)?.number;
+    if (unread !== undefined) {
+      notes.push(
+        `Some filled marks from page ${unread} on are left out, as the file has too many; choose its pattern pages.`,
+      );
+    }
     if (chosen === undefined && count > numbers.length) {
       notes.push(
         `The file has ${count} pages, of which the first ${numbers.length} are read; choose others by their numbers.`,
@@ -103,8 +112,14 @@ export async function openPdf(
     };
   } finally {
     await task.destroy();
+    worker.destroy();
   }
 }
+
+const wholeBuffer = (bytes: Uint8Array): Uint8Array =>
+  bytes.byteLength === bytes.buffer.byteLength
+    ? new Uint8Array(bytes.buffer)
+    : new Uint8Array(bytes);
 
 function pagesToRead(
   chosen: readonly number[] | undefined,
@@ -162,19 +177,31 @@ async function inkOf(
   number: number,
   {
     library,
+    port,
     names,
     budget,
   }: {
-    readonly library: Awaited<ReturnType<typeof pdfJs>>;
+    readonly library: Library;
+    readonly port: OperatorPort;
     readonly names: ReadonlyMap<string, string>;
-    readonly budget: PointBudget;
+    readonly budget: ReadingBudget;
   },
 ): Promise<PageInk> {
-  const list = await page.getOperatorList({
-    intent: 'print',
-    annotationMode: library.AnnotationMode.DISABLE,
+  const {read, result} = inkReader(library.OPS, frameOf(page, number), names, budget);
+  const exceeded = new Promise<never>((_, reject) => {
+    // pdf.js would ignore the error of a form, and read on
+    port.onOperators = (list) => {
+      try {
+        read(list);
+      } catch (error) {
+        port.onOperators = undefined;
+        reject(error instanceof Error ? error : new Error(String(error)));
+      }
+    };
   });
-  return readInk(list, library.OPS, frameOf(page, number), names, budget);
+  const {DISABLE} = library.AnnotationMode;
+  await Promise.race([page.getOperatorList({intent: 'print', annotationMode: DISABLE}), exceeded]);
+  return result();
 }
 
 /** Size of the parts in which a file is searched, and their overlap. [bytes] */

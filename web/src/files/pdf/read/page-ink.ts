@@ -14,15 +14,12 @@ import {growthOf, initialGraphics, mapOf, transformed, type Graphics} from './gr
 import type {InkLine, InkStyle, InkText, PageInk} from './ink.js';
 import {isHelpLayer} from './layer-words.js';
 import {linesOfPath} from './page-paths.js';
-import {joinedTexts, shownText} from './page-texts.js';
+import type {OperatorList} from './operator-port.js';
+import {joinedText, shownText} from './page-texts.js';
+import type {ReadingBudget} from './reading-budget.js';
 
 /** Operators by name, as pdf.js numbers them. */
 type Operators = Readonly<Record<string, number>>;
-
-interface OperatorList {
-  readonly fnArray: ArrayLike<number>;
-  readonly argsArray: ArrayLike<unknown>;
-}
 
 export interface PageFrame {
   readonly number: number;
@@ -43,30 +40,35 @@ const mostFills = 3000;
 /** Lines of this lightness and above are invisible on paper. */
 const white = 0.95;
 
-/** The number of points that may still be read. */
-export interface PointBudget {
-  left: number;
+/** Collects the ink of a page from its operators. */
+interface PageReader {
+  /** @throws {RangeError} if the budget is exceeded */
+  readonly read: (list: OperatorList) => void;
+  readonly result: () => PageInk;
 }
 
 /**
- * Reads a page.
+ * Returns the reader of a page.
  * @param layerNames names of layers by the identifiers of pdf.js
- * @throws {RangeError} if the budget is exceeded
  */
-export function readInk(
-  {fnArray, argsArray}: OperatorList,
+export function inkReader(
   operators: Operators,
   frame: PageFrame,
   layerNames: ReadonlyMap<string, string>,
-  budget: PointBudget,
-): PageInk {
+  budget: ReadingBudget,
+): PageReader {
   const reader = new InkReader(frame, layerNames, budget);
   const actions = actionsOf(reader, operators);
-  for (let k = 0; k < fnArray.length; k++) {
-    const args = argsArray[k];
-    actions.get(fnArray[k] ?? -1)?.(Array.isArray(args) ? (args as unknown[]) : []);
-  }
-  return reader.result();
+  return {
+    read: ({fnArray, argsArray}) => {
+      budget.spend('operators', fnArray.length);
+      for (let k = 0; k < fnArray.length; k++) {
+        const args = argsArray[k];
+        actions.get(fnArray[k] ?? -1)?.(Array.isArray(args) ? (args as unknown[]) : []);
+      }
+    },
+    result: () => reader.result(),
+  };
 }
 
 const numbers = (value: unknown): ArrayLike<number> =>
@@ -201,7 +203,7 @@ class InkReader {
   state: Graphics;
   readonly #frame: PageFrame;
   readonly #layerNames: ReadonlyMap<string, string>;
-  readonly #budget: PointBudget;
+  readonly #budget: ReadingBudget;
   readonly #saved: Graphics[] = [];
   readonly #layers: (string | undefined)[] = [];
   readonly #lines: InkLine[] = [];
@@ -210,8 +212,10 @@ class InkReader {
   readonly #styles = new Map<string, InkStyle>();
   readonly #windows = new Map<string, {readonly box: Box; uses: number}>();
   #clips = false;
+  #markPoints = 0;
+  #hasMoreMarks = false;
 
-  constructor(frame: PageFrame, layerNames: ReadonlyMap<string, string>, budget: PointBudget) {
+  constructor(frame: PageFrame, layerNames: ReadonlyMap<string, string>, budget: ReadingBudget) {
     this.#frame = frame;
     this.#layerNames = layerNames;
     this.#budget = budget;
@@ -229,12 +233,15 @@ class InkReader {
   result(): PageInk {
     const {number, width, height} = this.#frame;
     const [most] = [...this.#windows.values()].sort((a, b) => b.uses - a.uses);
-    const fills = this.#fills.length <= mostFills ? this.#fills : [];
+    const isPicture = this.#fills.length > mostFills;
+    if (isPicture) this.#budget.take('points of marks', -this.#markPoints);
+    const fills = isPicture ? [] : this.#fills;
     return {
+      ...(this.#hasMoreMarks && !isPicture && {hasMoreMarks: true}),
       ...{number, width, height},
       window: most?.box ?? this.#whole,
       lines: [...this.#lines, ...fills],
-      texts: joinedTexts(this.#texts),
+      texts: this.#texts.map((one) => ({...one, text: one.text.trim()})),
     };
   }
 
@@ -313,7 +320,12 @@ class InkReader {
     const {low, high} = this.state.clip;
     const [x, y] = [(ink.from[0] + ink.to[0]) / 2, (ink.from[1] + ink.to[1]) / 2];
     if (x < low[0] || x > high[0] || y < low[1] || y > high[1]) return;
-    this.#spend(1);
+    const longer = joinedText(this.#texts.at(-1), ink);
+    if (longer) {
+      this.#texts[this.#texts.length - 1] = longer;
+      return;
+    }
+    this.#budget.spend('texts', 1);
     this.#texts.push(ink);
   }
 
@@ -353,20 +365,28 @@ class InkReader {
   #add(data: ArrayLike<number>, style: InkStyle, closes: boolean): void {
     const {clip, map} = this.state;
     if (style.layer !== undefined && isHelpLayer(style.layer)) return;
-    const written = data.length / 3;
-    this.#spend(written);
-    let drawn = 0;
+    this.#budget.spend('points', data.length / 3);
     for (const line of linesOfPath(data, map)) {
       const whole = closes ? {...line, isClosed: true} : line;
       for (const {points, isClosed} of partsInBox(whole, clip)) {
-        drawn += points.length;
-        const list = style.stroke === undefined ? this.#fills : this.#lines;
-        list.push({points, isClosed, style});
+        if (style.stroke === undefined) this.#addMark({points, isClosed, style});
+        else {
+          this.#budget.spend('visible points', points.length);
+          this.#lines.push({points, isClosed, style});
+        }
       }
     }
-    // curves have more points than their data
-    this.#spend(Math.max(0, drawn - written));
     if (style.stroke !== undefined) this.#use(clip);
+  }
+
+  #addMark(mark: InkLine): void {
+    const {length} = mark.points;
+    if (!this.#budget.take('points of marks', length)) {
+      this.#hasMoreMarks = true;
+      return;
+    }
+    this.#markPoints += length;
+    this.#fills.push(mark);
   }
 
   /** Counts the uses of a clip box. */
@@ -375,11 +395,6 @@ class InkReader {
     const known = this.#windows.get(key);
     if (known) known.uses++;
     else this.#windows.set(key, {box, uses: 1});
-  }
-
-  #spend(points: number): void {
-    this.#budget.left -= points;
-    if (this.#budget.left < 0) throw new RangeError('too many points');
   }
 }
 

@@ -45,23 +45,12 @@ const widestShift = -200;
 /** Greatest gap between parts of one word, and between words of one line. [font sizes] */
 const gaps = {letters: 0.15, words: 1.2};
 
-/** Joins texts that continue each other on one line. */
-export function joinedTexts(texts: readonly InkText[]): InkText[] {
-  const joined: InkText[] = [];
-  for (const text of texts) {
-    const before = joined.at(-1);
-    const gap = before && gapBetween(before, text);
-    if (!before || gap === undefined) joined.push(text);
-    else {
-      const space = gap > gaps.letters && !before.text.endsWith(' ') ? ' ' : '';
-      joined[joined.length - 1] = {
-        ...before,
-        text: `${before.text}${space}${text.text}`,
-        to: text.to,
-      };
-    }
-  }
-  return joined.map((one) => ({...one, text: one.text.trim()}));
+/** A text with its continuation on the same line; undefined if the next one does not continue it. */
+export function joinedText(before: InkText | undefined, next: InkText): InkText | undefined {
+  const gap = before && gapBetween(before, next);
+  if (!before || gap === undefined) return undefined;
+  const space = gap > gaps.letters && !before.text.endsWith(' ') ? ' ' : '';
+  return {...before, text: `${before.text}${space}${next.text}`, to: next.to};
 }
 
 /** The gap between two parts of a line in font sizes; undefined if they are on different lines. */
