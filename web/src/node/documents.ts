@@ -14,6 +14,7 @@ import * as prints from '../model/result/print-of-result.js';
 import type {SolveResult} from '../model/result/result.js';
 import * as searches from '../solver/search/asked-search.js';
 import {drapeSettings, glbOptions, json, title} from './setting-checks.js';
+import {problem} from './argument-checks.js';
 import {drape, filedDesign, garmentDocument, layPlan, print} from './document-checks.js';
 
 /** The function with checks of its arguments, in their order and by their names. */
@@ -58,7 +59,7 @@ export function printOfResult<P extends Print>(of: SolveResult['print'], own: P)
  * @throws {SolverError} `options` for values that are no problem or no result
  */
 export const chosenProblem = checked(searches.chosenProblem, 'chosenProblem', {
-  problem: having({}),
+  problem,
   result: having({print, metrics: having({})}),
 });
 
