@@ -137,6 +137,20 @@ describe('an odd argument', () => {
     expect(faults).toEqual([]);
   });
 
+  it('is rejected in documents', async () => {
+    const faults: string[] = [];
+    for (const name of ['garmentFile', 'layPlanText', 'writeStoredDesign', 'resultText']) {
+      const [own] = calls[name] as readonly [object];
+      for (const field of Object.keys(own)) {
+        for (const [label, value] of Object.entries(odd)) {
+          const fault = await faultOf(() => named(name)({...own, [field]: value}));
+          if (fault) faults.push(`${name}, ${field} is ${label}: ${fault}`);
+        }
+      }
+    }
+    expect(faults).toEqual([]);
+  });
+
   it('is rejected in each field of settings and hooks', async () => {
     const faults: string[] = [];
     let tried = 0;

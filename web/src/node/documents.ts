@@ -2,6 +2,7 @@
 import * as glbFiles from '../files/glb/glb.js';
 import * as plans from '../marker/plan.js';
 import {bytes, checkArguments, either, having, optional} from '../model/base/arguments.js';
+import {SolverError} from '../model/base/failure.js';
 import {number, text, type Read} from '../model/base/read.js';
 import {checkedResult} from '../model/documents/checked-result.js';
 import * as problems from '../model/documents/design-problem.js';
@@ -17,7 +18,10 @@ import {drapeSettings, glbOptions, json, title} from './setting-checks.js';
 import {problem} from './argument-checks.js';
 import {drape, filedDesign, garmentDocument, layPlan, print} from './document-checks.js';
 
-/** The function with checks of its arguments, in their order and by their names. */
+/**
+ * The function with checks of its arguments, in their order and by their names. Every error is a
+ * `SolverError`.
+ */
 const checked =
   <Args extends readonly unknown[], Answer>(
     work: (...args: Args) => Answer,
@@ -27,7 +31,14 @@ const checked =
   (...args) => {
     const given = Object.entries(checks).map(([name, check], k) => [name, args[k], check] as const);
     checkArguments(call, ...given);
-    return work(...args);
+    try {
+      return work(...args);
+    } catch (cause) {
+      if (cause instanceof SolverError) throw cause;
+      // the arguments are the only input: a part that no check covers is wrong
+      const message = `${call}: a part of its arguments is of a wrong type or cannot be read.`;
+      throw new SolverError({code: 'options', message}, {cause});
+    }
   };
 
 const printChanges = having({
