@@ -39,7 +39,7 @@ export default defineConfig({
           include: ['tests/{page,examples}/**/*.test.ts'],
           exclude: isThorough
             ? []
-            : ['tests/examples/{bundlers,installed-bundlers,other-browsers}.test.ts'],
+            : ['tests/examples/{bundlers,frameworks,installed-bundlers,other-browsers}.test.ts'],
           globalSetup: 'tests/support/page/start-browser.ts',
           isolate: false,
         },

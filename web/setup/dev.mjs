@@ -7,6 +7,7 @@ import {relative} from 'node:path';
 import {again} from './again.mjs';
 import {build, moduleSources} from './build.mjs';
 import {ensurePackages} from './packages.mjs';
+import {checkPort} from './port.mjs';
 import {main, root, say, SetupError, tool} from './shell.mjs';
 
 /**
@@ -32,6 +33,7 @@ function watchTypes() {
 }
 
 await main(async () => {
+  await checkPort();
   await ensurePackages();
   await buildModule();
   const {createServer} = await import('vite'); // installed by now

@@ -7,6 +7,15 @@ import {checks, twoStrips} from '../../support/garments/samples.js';
 
 const cyclic: Record<string, unknown> = {};
 cyclic.self = cyclic;
+const gaps: unknown[] = [];
+gaps[3] = 1;
+const broken = (): never => {
+  throw new Error('odd');
+};
+const revoked = Proxy.revocable({}, {});
+revoked.revoke();
+const detached = new Uint8Array(8);
+structuredClone(detached.buffer, {transfer: [detached.buffer]});
 
 /** Values that no argument accepts. */
 const odd: Readonly<Record<string, unknown>> = {
@@ -14,6 +23,10 @@ const odd: Readonly<Record<string, unknown>> = {
   ...{'1e-9': 1e-9, empty: '', letter: 'x', proto: '__proto__', long: '9'.repeat(100_000)},
   ...{'[]': [], '[null]': [null], '[NaN]': [NaN], '{a: 1}': {a: 1}, symbol: Symbol('odd')},
   ...{bigint: 5n, function: () => 1, cyclic, bytes: new Uint8Array([1, 2, 3])},
+  ...{gaps, endless: new Array<unknown>(2 ** 32 - 1), detached, revoked: revoked.proxy},
+  ...{proxy: new Proxy({}, {get: broken, ownKeys: broken, getPrototypeOf: broken})},
+  ...{getter: Object.defineProperty({}, 'odd', {enumerable: true, get: broken})},
+  ...{surrogate: '\ud800', '-0': -0, nested: [[[]]]},
 };
 /** Values that count as settings without any field. */
 const bare: Readonly<Record<string, unknown>> = {
@@ -42,6 +55,8 @@ const pixels = {width: 8, height: 8, data: new Uint8Array(256)};
 /** Valid arguments of each function, from which one at a time is replaced. */
 type Arguments = readonly unknown[];
 let calls: Readonly<Record<string, Arguments>> = {};
+/** Functions of what other functions return, by their names in `calls`. */
+let returned: Readonly<Record<string, (...args: never[]) => unknown>> = {};
 
 beforeAll(async () => {
   const result = await node.solve(problem);
@@ -53,7 +68,16 @@ beforeAll(async () => {
   const plan = await node.marker([result], {widthCm: 140, effort: 0});
   const bytes = new TextEncoder().encode(text);
   const json = JSON.stringify(print);
+  const sheet = await node.cut(result, {print});
+  const files = await node.layPlanFiles(plan, {print});
+  const {png} = await node.printRepeat(print);
+  returned = {
+    ...{'cut().pdf': sheet.pdf, 'cut().dxf': sheet.dxf, 'printRepeat().png': png},
+    ...{'layPlanFiles().pdf': files.pdf, 'layPlanFiles().dxf': files.dxf},
+  };
   calls = {
+    ...{'cut().pdf': [[]], 'cut().dxf': [{}], 'printRepeat().png': [() => pixels, 72]},
+    ...{'layPlanFiles().pdf': [10], 'layPlanFiles().dxf': [{}]},
     commonPrintSize: [[problem], 1, {}],
     ...{solve: [problem, {}], prepare: [problem, {}], remedies: [problem, result, {}]},
     ...{
@@ -77,7 +101,8 @@ beforeAll(async () => {
   };
 });
 
-const named = (name: string) => Reflect.get(node, name) as (...args: Arguments) => unknown;
+const named = (name: string) =>
+  (returned[name] ?? Reflect.get(node, name)) as (...args: Arguments) => unknown;
 
 /** Fields of an argument that is an object, from the message about an unknown one. */
 async function fieldsOf(name: string, args: Arguments, k: number): Promise<readonly string[]> {
@@ -90,7 +115,8 @@ async function fieldsOf(name: string, args: Arguments, k: number): Promise<reado
 
 describe('an odd argument', () => {
   it('is tried for every function', () => {
-    expect(Object.keys(calls).sort()).toEqual(
+    const own = Object.keys(calls).filter((name) => !(name in returned));
+    expect(own.sort()).toEqual(
       Object.keys(node)
         .filter((name) => typeof named(name) === 'function' && !name.endsWith('Error'))
         .sort(),
@@ -105,6 +131,20 @@ describe('an odd argument', () => {
         for (const [label, value] of Object.entries({...odd, ...(isSettings ? {} : bare)})) {
           const fault = await faultOf(() => named(name)(...args.with(k, value)));
           if (fault) faults.push(`${name}, argument ${k + 1} is ${label}: ${fault}`);
+        }
+      }
+    }
+    expect(faults).toEqual([]);
+  });
+
+  it('is rejected in documents', async () => {
+    const faults: string[] = [];
+    for (const name of ['garmentFile', 'layPlanText', 'writeStoredDesign', 'resultText']) {
+      const [own] = calls[name] as readonly [object];
+      for (const field of Object.keys(own)) {
+        for (const [label, value] of Object.entries(odd)) {
+          const fault = await faultOf(() => named(name)({...own, [field]: value}));
+          if (fault) faults.push(`${name}, ${field} is ${label}: ${fault}`);
         }
       }
     }

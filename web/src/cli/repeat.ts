@@ -3,7 +3,7 @@ import {extname} from 'node:path';
 import {blobOf} from '../image/data-url.js';
 import type {PhotoPixels} from '../model/print/photo-reading.js';
 import {asVariant, mostTurn} from '../model/print/print-variant.js';
-import {scaleLimits} from '../model/print/print-scale.js';
+import {dpiLimits, scaleLimits} from '../model/print/print-scale.js';
 import {readPrintFile} from '../model/print/read-print-file.js';
 import type {Print} from '../model/print/repeating-print.js';
 import {textOf} from '../node/files.js';
@@ -21,7 +21,6 @@ const grammar = {
 };
 
 const usualDpi = 300;
-const dpiLimits = [30, 1200] as const;
 
 /** `repeat`: writes the rectangular repeat of a print for a print shop. */
 export async function repeat(words: readonly string[]): Promise<void> {

@@ -8,6 +8,7 @@ import {
   fields,
   having,
   optional,
+  readable,
   signal,
   type Checks,
 } from '../model/base/arguments.js';
@@ -24,7 +25,6 @@ import {
   wholeNumber,
   type Read,
 } from '../model/base/read.js';
-import type {CutSheet} from '../cutting/cut-sheet.js';
 import {greatestAllowance} from '../cutting/allowance-rule.js';
 import {printInks} from '../cutting/print-ink.js';
 import type {MarkerSettings} from '../marker/settings.js';
@@ -45,7 +45,14 @@ import type {
 } from '../solver/requests/requests.js';
 import type {CommonSizeHooks} from './common-size.js';
 import type {CutSettings} from './cut.js';
-import {filedDesign, garmentDocument, laidGarment, layPlan, print} from './document-checks.js';
+import {
+  cutSheet,
+  filedDesign,
+  garmentDocument,
+  laidGarment,
+  layPlan,
+  print,
+} from './document-checks.js';
 import type {ImportOptions} from './import.js';
 import type {ConvertOptions, GarmentDxfOptions, RemedyHooks} from './options.js';
 import type {LayPlanSettings} from './lay-plan.js';
@@ -65,7 +72,14 @@ const jsonText: Read<unknown> = (value, at) => {
     return fail(at, 'JSON text');
   }
 };
-const document = either('an object or its JSON text', jsonText, having({}));
+const object: Read<object> = (value, at) => readable(having({})(value, at));
+const document = either('an object or its JSON text', jsonText, object);
+
+/** Accepts a problem whose parts can be read; the solver checks them. */
+export const problem: Read<unknown> = (value) => {
+  Object.values(Object(value) as object).forEach(readable);
+  return value;
+};
 
 /** A problem that has a result already; the solver checks the rest. */
 export const solvedProblem = having<Problem>({
@@ -127,7 +141,7 @@ export const cutSettings = fields<CutSettings>(
       pixels: callback,
       blankPages: flag,
       language: oneOf(languages),
-      under: having<CutSheet>({pieces: listOf(having({}))}),
+      under: cutSheet,
       fonts: listOf(bytes),
     },
   },
@@ -151,7 +165,7 @@ const marking: Checks<MarkerSettings> = {
 export const markerSettings = fields<MarkerSettings>(marking, 'widthCm');
 
 export const nodeMarkerSettings = fields<NodeMarkerSettings>(
-  {...marking, print: having({})},
+  {...marking, print: object},
   'widthCm',
 );
 

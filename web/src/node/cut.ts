@@ -1,7 +1,7 @@
 /** Cutting sheets of a result, and their files. */
 import {checkArguments} from '../model/base/arguments.js';
 import {SolverError} from '../model/base/failure.js';
-import {dxfOptions} from './setting-checks.js';
+import {dxfOptions, otherSizes as sizesCheck} from './setting-checks.js';
 import {ruleOf} from '../cutting/allowance-rule.js';
 import type {CutSheet} from '../cutting/cut-sheet.js';
 import type {PrintInk} from '../cutting/print-ink.js';
@@ -142,15 +142,17 @@ export function cutWith(result: SolveResult, settings: CutSettings): Cut {
   const layout = pagesOf(sheet, paper);
   return {
     ...{sheet, print, layout, map: sheetMap(sheet, layout)},
-    pdf: (otherSizes = []) =>
-      cuttingPdf(sheet, print, {
+    pdf: async (otherSizes = []) => {
+      checkArguments('pdf', ['otherSizes', otherSizes, sizesCheck]);
+      return cuttingPdf(sheet, print, {
         ...{paper, otherSizes, letters: lettersFrom(fonts)},
         ...(ink && {ink}),
         ...(guide && {guide: {units: 'cm', ...(language !== undefined && {locale: language})}}),
         ...(date && {date}),
         ...(mark !== undefined && {mark}),
         ...(pixels && {pixels}),
-      }),
+      });
+    },
     svg: () => drawSheetSvg(sheet, print, {ink, mark}),
     dxf: (options = {}) => {
       checkArguments('dxf', ['options', options, dxfOptions]);

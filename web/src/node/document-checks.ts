@@ -1,9 +1,10 @@
 /** Checks the documents that functions of `seamwise/node` take as objects. */
-import {bytes, either, fields, having, list, optional} from '../model/base/arguments.js';
+import {bytes, either, fields, having, optional} from '../model/base/arguments.js';
 import {groupNames} from '../model/base/core-tables.js';
 import {
   fail,
   flag,
+  list,
   listOf,
   number,
   oneOf,
@@ -13,6 +14,7 @@ import {
   wholeNumber,
   type Read,
 } from '../model/base/read.js';
+import type {CutSheet} from '../cutting/cut-sheet.js';
 import type {MarkerGarment} from '../model/design/marker-garment.js';
 import {checkedResult} from '../model/documents/checked-result.js';
 import type {FiledDesign} from '../model/documents/stored-design.js';
@@ -66,6 +68,22 @@ export const garmentDocument: Read<GarmentDocument> = having<GarmentDocument>({
   ),
   ...{seams: list, matches: list, symmetries: list, questions: list},
   ...{title: optional(text()), size: optional(text())},
+});
+
+/** Accepts a sheet of `cut`. */
+export const cutSheet: Read<CutSheet> = having<CutSheet>({
+  ...{widthCm: finite, heightCm: finite, heading: text(), facts: listOf(text())},
+  ...{size: optional(text()), ownAllowances: text()},
+  pieces: listOf(
+    having({
+      ...{name: text(), label: text(), quantity: finite, words: listOf(text())},
+      ...{cut: listOf(points), sewn: listOf(points), internalLines: listOf(points)},
+      ...{corners: points, drillHoles: points, grain: pairOf(point)},
+      ...{matchPoints: listOf(having({at: point})), ticks: listOf(having({at: point}))},
+      ...{notches: listOf(having({at: point})), letters: listOf(having({at: point}))},
+      ...{folds: list, marks: listOf(having({kind: oneOf(['line', 'text'])}))},
+    }),
+  ),
 });
 
 const markerGarment: Read<MarkerGarment> = fields<MarkerGarment>(

@@ -2,6 +2,7 @@
 import * as glbFiles from '../files/glb/glb.js';
 import * as plans from '../marker/plan.js';
 import {bytes, checkArguments, either, having, optional} from '../model/base/arguments.js';
+import {SolverError} from '../model/base/failure.js';
 import {number, text, type Read} from '../model/base/read.js';
 import {checkedResult} from '../model/documents/checked-result.js';
 import * as problems from '../model/documents/design-problem.js';
@@ -14,9 +15,13 @@ import * as prints from '../model/result/print-of-result.js';
 import type {SolveResult} from '../model/result/result.js';
 import * as searches from '../solver/search/asked-search.js';
 import {drapeSettings, glbOptions, json, title} from './setting-checks.js';
+import {problem} from './argument-checks.js';
 import {drape, filedDesign, garmentDocument, layPlan, print} from './document-checks.js';
 
-/** The function with checks of its arguments, in their order and by their names. */
+/**
+ * The function with checks of its arguments, in their order and by their names. Every error is a
+ * `SolverError`.
+ */
 const checked =
   <Args extends readonly unknown[], Answer>(
     work: (...args: Args) => Answer,
@@ -26,7 +31,14 @@ const checked =
   (...args) => {
     const given = Object.entries(checks).map(([name, check], k) => [name, args[k], check] as const);
     checkArguments(call, ...given);
-    return work(...args);
+    try {
+      return work(...args);
+    } catch (cause) {
+      if (cause instanceof SolverError) throw cause;
+      // the arguments are the only input: a part that no check covers is wrong
+      const message = `${call}: a part of its arguments is of a wrong type or cannot be read.`;
+      throw new SolverError({code: 'options', message}, {cause});
+    }
   };
 
 const printChanges = having({
@@ -58,7 +70,7 @@ export function printOfResult<P extends Print>(of: SolveResult['print'], own: P)
  * @throws {SolverError} `options` for values that are no problem or no result
  */
 export const chosenProblem = checked(searches.chosenProblem, 'chosenProblem', {
-  problem: having({}),
+  problem,
   result: having({print, metrics: having({})}),
 });
 

@@ -1,4 +1,4 @@
-import {bytes as bytesCheck, checkArguments} from '../model/base/arguments.js';
+import {bytes as bytesCheck, checkArguments, readable} from '../model/base/arguments.js';
 import {text} from '../model/base/read.js';
 import {checkedResult} from '../model/documents/checked-result.js';
 import type {PrintSizes} from '../model/design/options.js';
@@ -57,7 +57,11 @@ const solver = new ThreadSolver();
  *   aborts
  */
 export async function solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
-  checkArguments('solve', ['hooks', hooks, checks.solveHooks]);
+  checkArguments(
+    'solve',
+    ['hooks', hooks, checks.solveHooks],
+    ['problem', problem, checks.problem],
+  );
   return solver.solve(problem, hooks);
 }
 
@@ -76,6 +80,7 @@ export async function commonPrintSize(
     'commonPrintSize',
     ['hooks', hooks, checks.commonSizeHooks],
     ['problems', problems, checks.solvedProblems],
+    ['sizes', sizes, readable],
   );
   const {commonSizeOf} = await import('./common-size.js');
   return commonSizeOf(problems, sizes, (problem, its) => solve(problem, its), hooks);
@@ -262,7 +267,11 @@ export async function prepare(
   problem: Problem,
   hooks: NamedPrepareHooks = {},
 ): Promise<MeshedPattern> {
-  checkArguments('prepare', ['hooks', hooks, checks.prepareHooks]);
+  checkArguments(
+    'prepare',
+    ['hooks', hooks, checks.prepareHooks],
+    ['problem', problem, checks.problem],
+  );
   return solver.prepare(problem, hooks);
 }
 
@@ -272,7 +281,11 @@ export async function prepare(
  * @throws {SolverError} under the conditions of `solve`
  */
 export async function prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
-  checkArguments('prove', ['hooks', hooks, checks.proofHooks]);
+  checkArguments(
+    'prove',
+    ['hooks', hooks, checks.proofHooks],
+    ['problem', problem, checks.problem],
+  );
   return solver.prove(problem, hooks);
 }
 

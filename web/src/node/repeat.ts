@@ -1,10 +1,14 @@
 /** The rectangular repeat of a print as a picture in its true size, for print shops. */
+import {callback, checkArguments} from '../model/base/arguments.js';
+import {number} from '../model/base/read.js';
 import {withPrintedSize} from '../image/png-size.js';
 import {mostPixels, pixelsAt, repeatPixels, resolutionOf} from '../image/repeat-pixels.js';
 import type {PhotoPixels} from '../model/print/photo-reading.js';
+import {dpiLimits} from '../model/print/print-scale.js';
 import {rectangularRepeat, type Rectangle} from '../model/print/rectangular-repeat.js';
 import {SolverError} from '../model/base/failure.js';
 import {checkScaled} from '../model/result/unscaled-print.js';
+import {pixels} from './document-checks.js';
 import type {PrintWithTile} from '../picture/fabric.js';
 import {repeatSvg} from '../picture/repeat-svg.js';
 
@@ -42,6 +46,7 @@ export function printRepeat(print: PrintWithTile): RepeatForPrinting {
     rectangle,
     svg: () => repeatSvg(print, rectangle),
     png: async (read, dpi) => {
+      checkArguments('png', ['cell', read, callback], ['dpi', dpi, number(...dpiLimits)]);
       if (!rectangle) {
         throw wrong(
           'No upright rectangle of at most twelve repeats tiles this print; write SVG, which has its cell as a pattern.',
@@ -55,6 +60,7 @@ export function printRepeat(print: PrintWithTile): RepeatForPrinting {
         );
       }
       const cell = await read();
+      checkArguments('png', ['cell()', cell, pixels]);
       const image = {...cell, data: new Uint8ClampedArray(cell.data)};
       const {pngOf} = await import('./picture-files.js');
       const png = await pngOf(repeatPixels(print, image, rectangle, sides));

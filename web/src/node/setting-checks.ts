@@ -1,20 +1,13 @@
 /** Checks of settings that several files of this folder share. */
-import {
-  bytes,
-  checkedLater,
-  date,
-  fields,
-  having,
-  list,
-  type Checks,
-} from '../model/base/arguments.js';
+import {bytes, checkedLater, date, fields, having, type Checks} from '../model/base/arguments.js';
 import {dxfStyles, dxfUnits, type DxfFormat} from '../model/base/dxf-format.js';
 import {flag, listOf, oneOf, text, type Read} from '../model/base/read.js';
 import type {DxfOptions} from '../cutting/out/sheet-dxf.js';
 import type {GlbOptions} from '../files/glb/glb.js';
+import type {SizeSheet} from '../paper/several-sizes.js';
 import type {DrapeSettings} from '../model/result/draped-garment.js';
 import {jsonText} from '../solver/requests/requests.js';
-import {drape} from './document-checks.js';
+import {cutSheet, drape, print} from './document-checks.js';
 
 const word = text();
 export const title = text(/\S/, 'text that is not blank');
@@ -28,8 +21,12 @@ export const json: Read<object> = (value, at) => {
 export const dxfFormat: Checks<DxfFormat> = {style: oneOf(dxfStyles), unit: oneOf(dxfUnits)};
 
 export const dxfOptions = fields<DxfOptions>({
-  ...{...dxfFormat, sewAsBoundary: flag, date, size: word, otherSizes: list, mark: title},
+  ...{...dxfFormat, sewAsBoundary: flag, date, size: word, mark: title},
+  otherSizes: listOf(cutSheet),
 });
+
+/** The other sizes of a PDF. */
+export const otherSizes = listOf(having<SizeSheet>({sheet: cutSheet, print}));
 
 export const layPlanDxf = fields<DxfFormat>(dxfFormat);
 

@@ -3,6 +3,7 @@ import {greatestAllowance, ruleOf} from '../../cutting/allowance-rule.js';
 import type {PrintInk} from '../../cutting/print-ink.js';
 import {SolverError} from '../../model/base/failure.js';
 import {dxfStyles, dxfUnits, type DxfStyle, type DxfUnit} from '../../model/base/dxf-format.js';
+import {dpiLimits} from '../../model/print/print-scale.js';
 import type {Texts} from '../../texts/texts.js';
 import type {CutFileKind} from '../../paper/cut-file.js';
 import type {SheetWindow} from '../../workbench/state.js';
@@ -20,7 +21,6 @@ const cutTypes: Readonly<Record<string, CutFileKind>> = {
 
 /** Resolution of a repeat. [dots per inch] */
 const usualDpi = 300;
-const [leastDpi, mostDpi] = [30, 1200];
 
 /**
  * Options of `toBlob`: a picture, a cutting sheet if `type` is one of theirs, or the repeat of the
@@ -75,8 +75,9 @@ async function repeatOf(
   const wrong = (message: string): SolverError => new SolverError({code: 'options', message});
   const {design} = workbench.history;
   if (!design) throw wrong(garment.noAnswer);
-  if (!(dpi >= leastDpi && dpi <= mostDpi)) {
-    throw wrong(controls.between(`${leastDpi} dpi`, `${mostDpi} dpi`));
+  const [least, most] = dpiLimits;
+  if (!(dpi >= least && dpi <= most)) {
+    throw wrong(controls.between(`${least} dpi`, `${most} dpi`));
   }
   const {repeatFile} = await import('../../workbench/print/repeat-file.js');
   const kind = type === 'image/svg+xml' ? 'svg' : dpi;

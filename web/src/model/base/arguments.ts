@@ -37,6 +37,12 @@ export const having =
     return value as T;
   };
 
+/** Accepts any value but an object whose fields throw; the function itself checks the fields. */
+export const readable = <T>(value: T): T => {
+  if (isObject(value) && !ArrayBuffer.isView(value)) Object.values(value);
+  return value;
+};
+
 /** Accepts a missing value, too. */
 export const optional =
   <T>(check: Read<T>): Read<T | undefined> =>
@@ -71,12 +77,11 @@ export const signal: Read<unknown> = (value, at) =>
 export const date: Read<Date> = (value, at) =>
   value instanceof Date && Number.isFinite(value.getTime()) ? value : fail(at, 'a valid Date');
 
-export const bytes: Read<Uint8Array> = (value, at) =>
-  value instanceof Uint8Array ? value : fail(at, 'a Uint8Array');
-
-/** Accepts a list whose entries are not checked one by one, since it may be long. */
-export const list: Read<readonly unknown[]> = (value, at) =>
-  Array.isArray(value) ? (value as readonly unknown[]) : fail(at, 'a list');
+export const bytes: Read<Uint8Array> = (value, at) => {
+  if (!(value instanceof Uint8Array)) return fail(at, 'a Uint8Array');
+  value.subarray(); // throws once the buffer was transferred elsewhere
+  return value;
+};
 
 /** An argument of a function: its name, its value, and its check. */
 type Argument = readonly [name: string, value: unknown, check: Read<unknown>];
@@ -90,8 +95,11 @@ export function checkArguments(call: string, ...given: readonly Argument[]): voi
     try {
       check(value, name);
     } catch (cause) {
-      if (!(cause instanceof Malformed)) throw cause;
-      throw new SolverError({code: 'options', message: `${call}: ${cause.message}.`}, {cause});
+      if (cause instanceof SolverError) throw cause;
+      // the value's own code has thrown, such as a getter or a proxy
+      const complaint =
+        cause instanceof Malformed ? cause.message : `'${name}' has a part that cannot be read`;
+      throw new SolverError({code: 'options', message: `${call}: ${complaint}.`}, {cause});
     }
   }
 }

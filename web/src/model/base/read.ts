@@ -66,12 +66,17 @@ export const oneOf =
   (value, at) =>
     names.find((name) => name === value) ?? fail(at, `one of ${names.join(', ')}`);
 
+/** Reads a list without its entries. It rejects gaps, which `map` and `every` would skip. */
+export const list: Read<readonly unknown[]> = (value, at) => {
+  if (!Array.isArray(value)) return fail(at, 'a list');
+  const entries: readonly unknown[] = value;
+  return entries.includes(undefined) ? fail(at, 'a list without gaps') : entries;
+};
+
 export const listOf =
   <T>(read: Read<T>): Read<readonly T[]> =>
   (value, at) =>
-    Array.isArray(value)
-      ? value.map((entry: unknown, k) => read(entry, `${at}[${k}]`))
-      : fail(at, 'a list');
+    list(value, at).map((entry, k) => read(entry, `${at}[${k}]`));
 
 export const pairOf =
   <T>(read: Read<T>): Read<readonly [T, T]> =>

@@ -45,3 +45,6 @@ export function scaleBetween(own: Size, other: Size): number | undefined {
   const scale = rounded(across);
   return isSimilar && scale >= least && scale <= most ? scale : undefined;
 }
+
+/** Least and greatest resolution of the picture of a repeat. [dots per inch] */
+export const dpiLimits = [30, 1200] as const;

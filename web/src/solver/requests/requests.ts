@@ -201,7 +201,7 @@ export function problemTexts(problem: Problem, given: Partial<ProblemNames> = {}
   if (!Number.isInteger(seed) || seed < 0 || seed > 0xffffffff) {
     throw new SolverError({
       code: 'options',
-      message: `seed is ${String(seed)}, but must be a whole number from 0 to 4294967295.`,
+      message: `seed is ${shown(seed)}, but must be a whole number from 0 to 4294967295.`,
     });
   }
   const {symmetry = 'auto'} = problem;
@@ -254,7 +254,7 @@ export function jsonText(value: unknown, name: string): string {
   if (value === '')
     throw new SolverError({code: 'notJson', message: `${name} is empty; choose another file.`});
   if (typeof value === 'string') return value;
-  if (value instanceof Uint8Array) return new TextDecoder().decode(value);
+  if (ArrayBuffer.isView(value)) return new TextDecoder().decode(value);
   let text: string | undefined;
   try {
     text = JSON.stringify(value, (key, part: unknown) => finite(part, key, name));
