@@ -49,7 +49,7 @@ export const pattern = {
     mirrored: 'mirrored',
     notCounted: 'not counted',
   },
-  sewing: {tool: 'Sew'},
+  sewing: {tool: 'Sew', done: 'Done'},
   folding: {tool: 'Folds'},
   symmetry: {
     tools: 'Tools',
