@@ -183,7 +183,7 @@ describe('the text of a seam', () => {
     const [row] = seams({pattern: gathered, high: [2, 0.2]});
     expect(row).toMatchObject({gathered: true, drift: undefined});
     expect(row && seamText(row, en, format)).toMatch(
-      /continuous, gathered: the two edges have different lengths$/,
+      /print continues, gathered: the two edges have different lengths$/,
     );
     expect(seam({pattern, high: [2, 0.2]}).gathered).toBe(false);
   });
