@@ -298,13 +298,10 @@ export const editorLayout = css`
       pointer-events: none;
     }
     .solving sw-progress {
-      width: auto;
+      width: 12rem;
       height: auto;
       padding: 0 var(--sw-space-2) var(--sw-space-1);
       white-space: nowrap;
-    }
-    .solving [hidden] {
-      display: none;
     }
     .solving button {
       pointer-events: auto;
@@ -312,6 +309,10 @@ export const editorLayout = css`
     .side {
       max-height: calc(0.42 * var(--height));
       border-top: 1px solid var(--sw-line);
+    }
+    /* its room before its content is there */
+    .workbench:not([data-sheet='none']) .side {
+      height: calc(0.42 * var(--height));
     }
     /* the pieces have to be in sight for a question about them, and for sewing */
     .workbench:has(sw-grain-question[asks], sw-pattern[sews]) .side {

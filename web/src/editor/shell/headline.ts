@@ -60,6 +60,11 @@ export class Headline extends WorkbenchElement {
       output p {
         display: var(--sw-sentences, block);
       }
+      /* its room before it is loaded */
+      sw-better-match {
+        display: grid;
+        min-height: 1.5rem;
+      }
       ul {
         margin: var(--sw-space-1) 0 0;
         padding-left: var(--sw-space-4);
