@@ -291,7 +291,7 @@ export const editorLayout = css`
     .solving {
       position: absolute;
       z-index: 3;
-      inset: calc(100% + var(--sw-target) + var(--sw-space-2)) var(--sw-space-2) auto auto;
+      inset: calc(100% + var(--sw-target) + var(--sw-space-3)) var(--sw-space-2) auto auto;
       flex-direction: column-reverse; /* the button fits beside the tools of the view */
       align-items: end;
       gap: 0;

@@ -107,6 +107,12 @@ export const drapeStyle = css`
       display: none;
     }
   }
+  /* beside an open sheet, its tools lie over the garment */
+  @container (width < 26rem) and (height < 22rem) {
+    .application {
+      grid-area: 1 / 1 / -1 / 2;
+    }
+  }
 `;
 
 /** Detail of a `drapeEvent`. */
