@@ -139,7 +139,7 @@ describe('the text of a seam', () => {
 
   it('tells name, pieces, length, mismatch and kind', () => {
     expect(seams({drafted, high: [2, 0.2]}).map((row) => seamText(row, en, format))).toEqual([
-      'Side seam (A), Left half to Right half, 4 cm, mismatch 2 mm, continuous',
+      'Side seam (A), Left half to Right half, 4 cm, mismatch 2 mm, print continues',
     ]);
   });
 
