@@ -127,7 +127,7 @@ it('makes a pair symmetric by keys alone, and takes that back', {tags: ['thoroug
   await hint.filter({hasText: /^Now click the mirrored piece/}).waitFor();
   await walkTo(page, /^front.*right/i);
   await press(page, ' ');
-  await hint.filter({hasText: /pieces are mirror images to within/}).waitFor();
+  await hint.filter({hasText: /pieces are mirror images; they differ by at most/}).waitFor();
   await press(page, 'Enter');
   expect((await designOf(page)).symmetry).toMatchObject([
     {kind: 'pair', pieces: ['front_left', 'front_right']},

@@ -21,14 +21,14 @@ async function mirrorLines(page: Page, lines: readonly [Line, Line]): Promise<vo
     const {seam, side} = await seamOf(page, name, piece);
     await clickSeam(page, seam, side);
   }
-  await hint(page, /The piece is symmetric to within [\d.]+ mm/);
+  await hint(page, /The piece is symmetric; its halves differ by at most [\d.]+ mm/);
   await button(page, 'Accept').click();
 }
 
 async function mirrorPieces(page: Page, pieces: readonly [string, string]): Promise<void> {
   await hint(page, /^Click the first/);
   for (const piece of pieces) await clickPiece(page, piece);
-  await hint(page, /The pieces are mirror images to within [\d.]+ mm/);
+  await hint(page, /The pieces are mirror images; they differ by at most [\d.]+ mm/);
   await button(page, 'Accept').click();
 }
 

@@ -16,7 +16,7 @@ import type {Samples} from '../workbench/samples.js';
 import type {DrapePane} from '../editor/drape/drape-pane.js';
 import type {MarkerPane} from '../editor/marker/marker-pane.js';
 import {chooseFile, takeFiles} from './files.js';
-import {endFirstVisit} from './introduction/first-visit.js';
+import {endFirstVisit, isFirstVisit} from './introduction/first-visit.js';
 import {keepView, storedView} from './storage/shown-view.js';
 import type {How} from './open-file.js';
 import {pageLayout} from './style/page-layout.js';
@@ -51,6 +51,8 @@ export class SeamwisePage extends WorkbenchElement {
   #life: AbortController | undefined;
   /** The view at the start. */
   readonly #view = storedView();
+  /** The open sheet of a phone at the start: none on a first visit, which shows the garment large. */
+  readonly #sheet = isFirstVisit() ? undefined : 'fabric';
 
   get #editor(): Editor | null {
     return this.renderRoot.querySelector('sw-editor');
@@ -124,6 +126,7 @@ export class SeamwisePage extends WorkbenchElement {
         .commands=${this.#keyed}
         .photos=${keptPhotos}
         .shows=${this.#view}
+        .sheet=${this.#sheet}
         .camera=${'three-quarter'}
         .seams=${true}
         @sw-view=${({detail}: CustomEvent<EditorView>) => {
@@ -182,7 +185,7 @@ export class SeamwisePage extends WorkbenchElement {
                 .workbench=${workbench}
                 @pattern=${this.#keyed.open}
                 @fabric=${() => void this.#openPrint()}
-                @sample=${() => this.#garments?.focus()}
+                @sample=${() => void this.#toSamples()}
                 @done=${() => {
                   this.#endFirst();
                 }}
@@ -213,6 +216,15 @@ export class SeamwisePage extends WorkbenchElement {
 
   get #garments(): GarmentChoice | null {
     return this.renderRoot.querySelector('sw-garment-choice');
+  }
+
+  /** Opens the list of sample garments. */
+  async #toSamples(): Promise<void> {
+    const editor = this.#editor;
+    if (!editor) return;
+    editor.sheet = 'pattern';
+    await editor.updateComplete;
+    this.#garments?.open();
   }
 
   /** Opens the dialog for a cutting sheet. */

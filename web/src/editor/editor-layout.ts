@@ -277,32 +277,42 @@ export const editorLayout = css`
       padding: var(--sw-space-1) var(--sw-space-2);
     }
     .views {
-      justify-content: center;
-      padding: 0 var(--sw-space-2);
+      justify-content: safe center;
+      gap: 0;
+      padding: 0 var(--sw-space-1);
+      overflow-x: auto;
+      scrollbar-width: none;
     }
-    .views [data-view='both'] {
-      display: none;
+    .views button {
+      flex: none;
+      padding: 0 var(--sw-space-2);
     }
     /* over the picture, while it is at work */
     .solving {
       position: absolute;
       z-index: 3;
-      inset: calc(100% + var(--sw-target) + var(--sw-space-1)) var(--sw-space-2) auto auto;
+      inset: calc(100% + var(--sw-target) + var(--sw-space-3)) var(--sw-space-2) auto auto;
+      flex-direction: column-reverse; /* the button fits beside the tools of the view */
+      align-items: end;
+      gap: 0;
+      pointer-events: none;
     }
     .solving sw-progress {
-      width: auto;
+      width: 12rem;
       height: auto;
       padding: 0 var(--sw-space-2) var(--sw-space-1);
-    }
-    .solving [hidden] {
-      display: none;
+      white-space: nowrap;
     }
     .solving button {
-      background: var(--sw-raised);
+      pointer-events: auto;
     }
     .side {
       max-height: calc(0.42 * var(--height));
       border-top: 1px solid var(--sw-line);
+    }
+    /* its room before its content is there */
+    .workbench:not([data-sheet='none']) .side {
+      height: calc(0.42 * var(--height));
     }
     /* the pieces have to be in sight for a question about them, and for sewing */
     .workbench:has(sw-grain-question[asks], sw-pattern[sews]) .side {
@@ -339,15 +349,19 @@ export const editorLayout = css`
     slot[name='goal'] {
       display: none;
     }
+    /* the headline alone, or the whole reason of a failure */
     .workbench:not([data-sheet='seams']) sw-headline {
       position: sticky;
       top: 0;
       z-index: 1;
-      min-height: 3.5rem;
-      max-height: 3.5rem;
+      min-height: 3.25rem;
       padding-block: var(--sw-space-3);
-      overflow: hidden;
       background: var(--sw-paper);
+    }
+    .workbench:not([data-sheet='seams']) sw-headline:not([failed]) {
+      --sw-sentences: none;
+      max-height: 3.25rem;
+      overflow: hidden;
     }
     .workbench:not([data-sheet='seams']) :is(sw-lens, sw-seam-table, sw-piece-table),
     .workbench:not([data-sheet='fabric']) sw-print-panel,

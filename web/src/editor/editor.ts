@@ -122,7 +122,7 @@ export class Editor extends WorkbenchElement {
     shows: {attribute: false},
     camera: {attribute: false},
     seams: {attribute: false},
-    sheet: {state: true},
+    sheet: {attribute: false},
   };
   /** The prints that come with Seamwise. */
   declare samples: Samples | undefined;
@@ -136,7 +136,7 @@ export class Editor extends WorkbenchElement {
   /** The drape begins with coloured seams. */
   declare seams: boolean;
   /** The sheet that is open below the pattern in a narrow editor. */
-  declare protected sheet: Sheet | undefined;
+  declare sheet: Sheet | undefined;
 
   static override styles = [controls, editorLayout];
 

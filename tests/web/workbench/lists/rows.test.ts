@@ -139,7 +139,7 @@ describe('the text of a seam', () => {
 
   it('tells name, pieces, length, mismatch and kind', () => {
     expect(seams({drafted, high: [2, 0.2]}).map((row) => seamText(row, en, format))).toEqual([
-      'Side seam (A), Left half to Right half, 4 cm, mismatch 2 mm, continuous',
+      'Side seam (A), Left half to Right half, 4 cm, mismatch 2 mm, print continues',
     ]);
   });
 
@@ -183,7 +183,7 @@ describe('the text of a seam', () => {
     const [row] = seams({pattern: gathered, high: [2, 0.2]});
     expect(row).toMatchObject({gathered: true, drift: undefined});
     expect(row && seamText(row, en, format)).toMatch(
-      /continuous, gathered: the two edges have different lengths$/,
+      /print continues, gathered: the two edges have different lengths$/,
     );
     expect(seam({pattern, high: [2, 0.2]}).gathered).toBe(false);
   });

@@ -78,7 +78,12 @@ export const drapeStyle = css`
   @container (width < 44rem) {
     .foot {
       flex-wrap: wrap;
-      min-height: 0;
+      align-content: end;
+    }
+  }
+  @container (26rem <= width < 44rem) and (height >= 15rem) {
+    .foot {
+      min-height: 6rem; /* of the legend or a sentence, above the tools */
     }
   }
   @container (width < 26rem) {
@@ -91,6 +96,7 @@ export const drapeStyle = css`
     }
     .foot {
       gap: 0 var(--sw-space-2);
+      min-height: 0;
     }
     .said {
       min-height: 0;
@@ -99,6 +105,12 @@ export const drapeStyle = css`
     .truth,
     sw-legend {
       display: none;
+    }
+  }
+  /* beside an open sheet, its tools lie over the garment */
+  @container (width < 26rem) and (height < 22rem) {
+    .application {
+      grid-area: 1 / 1 / -1 / 2;
     }
   }
 `;

@@ -247,7 +247,6 @@ export class PatternPane extends PatternDrawing {
             ></sw-wipe-handle>`
       }
       <div class="foot" ?hidden=${empty}>
-        ${this.#bar()}
         ${
           this.tools.active
             ? html`<sw-tool-hint
@@ -268,6 +267,7 @@ export class PatternPane extends PatternDrawing {
           ${this.#button(pattern.zoomIn, icon.plus, () => this.view?.zoomBy(1.4), 'zoom')}
           ${places ? nothing : html`<sw-zoom .workbench=${workbench} .view=${this.view}></sw-zoom>`}
         </div>
+        ${this.#bar()}
       </div>
     `;
   }

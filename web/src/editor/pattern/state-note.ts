@@ -56,7 +56,7 @@ function trouble(
 ): string | undefined {
   const {kind} = state;
   if (kind === 'stale') return pattern.stale;
-  if (kind === 'failed') return pattern.failed;
+  if (kind === 'failed') return meshed && pattern.failed;
   return meshed?.seams.length === 0 ? pattern.noSeams : undefined;
 }
 

@@ -24,6 +24,10 @@ export class ToolHint extends WorkbenchElement {
         flex: 1 1 16rem;
         line-height: 1.3;
       }
+      .asks {
+        font-size: var(--sw-text-large);
+        font-weight: 600;
+      }
     `,
   ];
 
@@ -31,7 +35,10 @@ export class ToolHint extends WorkbenchElement {
     const {symmetry} = this.texts;
     const {chooser} = this.tools;
     return html`<div class="hint">
-      <span role="status" aria-label=${symmetry.hint}
+      <span
+        role="status"
+        class=${this.tools.sewing?.chooser.question ? 'asks' : ''}
+        aria-label=${symmetry.hint}
         >${this.tools.words(this.texts, this.format)}</span
       >
       ${
@@ -48,18 +55,23 @@ export class ToolHint extends WorkbenchElement {
       }
       ${this.tools.active === 'move' ? html`${this.#presets()} ${this.#free()}` : nothing}
       ${this.tools.active === 'keep' ? html`<sw-keep-menu .workbench=${this.workbench}></sw-keep-menu>` : nothing}
-      ${
-        this.tools.isFixed
-          ? nothing
-          : html`<button
-              @click=${() => {
-                this.tools.back();
-              }}
-            >
-              ${symmetry.back}
-            </button>`
-      }
+      ${this.tools.isFixed ? nothing : this.#leaving()}
     </div>`;
+  }
+
+  /** Ends the sewing tool if no edge is chosen; goes one step back in all other cases. */
+  #leaving(): TemplateResult {
+    const {symmetry, sewing} = this.texts;
+    const isIdle = this.tools.sewing?.chooser.state.run.length === 0;
+    return html`<button
+      class="outlined"
+      @click=${() => {
+        if (isIdle) this.tools.toggle('sew');
+        else this.tools.back();
+      }}
+    >
+      ${isIdle ? sewing.done : symmetry.back}
+    </button>`;
   }
 
   /** Button for the selected piece, while it is pinned. */

@@ -25,6 +25,11 @@ export class Toolbar extends WorkbenchElement {
           display: none;
         }
       }
+      @container (34rem <= width < 42rem) {
+        .group button {
+          padding: 0 5px; /* one row beside both panels of a small screen */
+        }
+      }
       @container (width < 34rem) {
         .group .all {
           flex: 0 1 auto;

@@ -11,7 +11,6 @@ export class BetterMatch extends WorkbenchElement {
       :host {
         display: grid;
         gap: var(--sw-space-1);
-        min-height: 1.5rem; /* what is below it stays in its place */
       }
       p {
         display: flex;

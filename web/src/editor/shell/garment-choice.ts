@@ -41,6 +41,16 @@ export class GarmentChoice extends WorkbenchElement {
     this.renderRoot.querySelector('select')?.focus();
   }
 
+  /** Focuses the list of garments, and opens it where the browser allows that. */
+  open(): void {
+    this.focus();
+    try {
+      this.renderRoot.querySelector('select')?.showPicker();
+    } catch {
+      // the list has the focus, and opens with a key or a click
+    }
+  }
+
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#waits?.abort();

@@ -1,5 +1,5 @@
 /** The result in one headline and a few sentences, with the figures folded below. */
-import {css, html, nothing, type TemplateResult} from 'lit';
+import {css, html, nothing, type PropertyValues, type TemplateResult} from 'lit';
 
 import type {Failure} from '../../model/base/failure.js';
 import type {Metrics, SolveResult} from '../../model/result/result.js';
@@ -16,8 +16,14 @@ import type {Samples} from '../../workbench/samples.js';
 import {spokenNote} from '../../workbench/lists/spoken-note.js';
 
 export class Headline extends WorkbenchElement {
-  static override properties = {...WorkbenchElement.properties, samples: {attribute: false}};
+  static override properties = {
+    ...WorkbenchElement.properties,
+    samples: {attribute: false},
+    failed: {type: Boolean, reflect: true},
+  };
   declare samples: Samples | undefined;
+  /** Reflected for the layout, which then leaves room for the whole reason. */
+  declare failed: boolean;
 
   static override styles = [
     controls,
@@ -51,6 +57,14 @@ export class Headline extends WorkbenchElement {
       summary {
         cursor: pointer;
       }
+      output p {
+        display: var(--sw-sentences, block);
+      }
+      /* its room before it is loaded */
+      sw-better-match {
+        display: grid;
+        min-height: 1.5rem;
+      }
       ul {
         margin: var(--sw-space-1) 0 0;
         padding-left: var(--sw-space-4);
@@ -60,6 +74,11 @@ export class Headline extends WorkbenchElement {
 
   /** Cached, since every update reads it. */
   readonly #mismatches = lastOf(mismatches);
+
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
+    this.failed = this.workbench.solving.state.kind === 'failed';
+  }
 
   protected override render(): TemplateResult | typeof nothing {
     const {result, state} = this.workbench.solving;

@@ -51,7 +51,7 @@ export function readDxf(bytes: Uint8Array, file: string, options: DrawingOptions
       ...(blocks.isTooDeep ? ['Blocks in blocks more than four levels deep are left out.'] : []),
       ...(drawn.some(({isInterpolated}) => isInterpolated)
         ? [
-            `Outlines are drawn by key points, and curves are put through them as ${vendor.rule === 'natural' ? 'natural cubic splines' : 'Catmull-Rom splines, as Gerber does'}.`,
+            `The file holds points of each outline; smooth curves are drawn through them, as ${vendor.rule === 'natural' ? 'usual' : 'Gerber does'}.`,
           ]
         : []),
       ...found,

@@ -47,8 +47,9 @@ export const drape = {
   waiting: 'The drape starts once the print is matched',
   /** Notes on a drape, by code. */
   notes: {
-    drapeNoStart: 'The garment cannot be draped: its pieces have no position to start from.',
-    drapeMoving: text('The garment still moves by {length} in a step.'),
+    drapeNoStart:
+      'The garment cannot be shown worn: it is unknown where its pieces are on the body.',
+    drapeMoving: text('The garment is not quite at rest yet; it still moves by {length}.'),
     drapeCrossings: text(
       '{count, plural, one {The fabric passes through itself at # place.} other {The fabric passes through itself at # places.}}',
     ),

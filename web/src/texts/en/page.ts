@@ -127,9 +127,9 @@ export const page = {
   repeat: {
     title: 'Repeat for the print shop',
     png: text('PNG, {dpi} dpi'),
-    none: 'This print has no upright rectangle of at most twelve repeats that can be tiled. Save SVG, which contains its cell as a pattern.',
+    none: 'Print shops repeat a rectangle, and this print has none of at most twelve repeats. Save SVG, which holds one repeat.',
     pattern:
-      'This print has no upright rectangle of at most twelve repeats that can be tiled. The file contains its cell as a pattern.',
+      'Print shops repeat a rectangle, and this print has none of at most twelve repeats. The file holds one repeat, which is slanted.',
     tooLarge: 'The repeat is too large for a picture of this resolution. Choose 150 dpi or SVG.',
   },
   longer: {

@@ -45,11 +45,11 @@ export const pattern = {
     piece: text('{name}, {seams}'),
     seams: text('{count, plural, one {# seam} other {# seams}}'),
     seam: text('{name}, {length}, mismatch {mismatch}, {kind}'),
-    continuous: 'continuous',
-    mirrored: 'mirrored',
+    continuous: 'print continues',
+    mirrored: 'print mirrored',
     notCounted: 'not counted',
   },
-  sewing: {tool: 'Sew'},
+  sewing: {tool: 'Sew', done: 'Done'},
   folding: {tool: 'Folds'},
   symmetry: {
     tools: 'Tools',
@@ -67,18 +67,18 @@ export const pattern = {
       'Drag the print inside a piece, or use the arrow keys. Double-click to unpin the piece.',
     begin: {
       piece:
-        'Click two seam lines that mirror each other on one piece, or two points on its mirror axis.',
+        'Click two seam lines that mirror each other on one piece, or two points on its middle line.',
       pair: 'Click the first of two pieces that are mirror images.',
     },
     next: {
       line: 'Now click the mirrored line on the same piece.',
-      point: 'Now click a second point on the axis.',
+      point: 'Now click a second point on the middle line.',
       piece: 'Now click the mirrored piece.',
     },
     measuring: 'Measuring …',
     found: {
-      piece: text('The piece is symmetric to within {residual}. Accept?'),
-      pair: text('The pieces are mirror images to within {residual}. Accept?'),
+      piece: text('The piece is symmetric; its halves differ by at most {residual}. Accept?'),
+      pair: text('The pieces are mirror images; they differ by at most {residual}. Accept?'),
     },
     noMirror: text('These are not mirror images: they differ by up to {residual}.'),
     notCarried: 'This print has no mirror for this; choose a print with mirrors.',
@@ -135,12 +135,12 @@ export const pattern = {
       moving: 'Drag the print inside a piece. Double-tap to unpin the piece.',
       begin: {
         piece:
-          'Tap two seam lines that mirror each other on one piece, or two points on its mirror axis.',
+          'Tap two seam lines that mirror each other on one piece, or two points on its middle line.',
         pair: 'Tap the first of two pieces that are mirror images.',
       },
       next: {
         line: 'Now tap the mirrored line on the same piece.',
-        point: 'Now tap a second point on the axis.',
+        point: 'Now tap a second point on the middle line.',
         piece: 'Now tap the mirrored piece.',
       },
       refusals: {
@@ -183,7 +183,7 @@ export const pattern = {
     look: 'Look for a command',
     none: 'No command found.',
     count: text('{count, plural, one {# command} other {# commands}}'),
-    axis: 'Symmetric piece, by two points on its axis',
+    axis: 'Symmetric piece, by two points on its middle line',
     grain: 'Grain line of a piece, by an edge or two points',
     turnSelected: 'Turn the selected piece by 90 degrees',
     lens: 'Close-up of the selected seam',
@@ -250,7 +250,7 @@ export const pattern = {
     upTo: text('to {length}'),
     over: text('over {length}'),
     andMore: text('{length} and more'),
-    axis: 'Symmetry axis',
+    axis: 'Middle line of symmetry',
     grain: 'Grain',
   },
 };

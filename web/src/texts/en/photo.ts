@@ -68,7 +68,7 @@ export const photo = {
     differs: 'Red areas differ from all other copies, and are left out.',
     focalLength:
       'Measure both across and up: with one of them alone, the proportions are uncertain.',
-    unequal: 'The measured sides differ: a lower symmetry is used.',
+    unequal: 'The measured sides differ, so mirrors and turns that need equal sides are left out.',
   } satisfies Record<PhotoNote, string> as Record<PhotoNote, string>,
   lattice: 'Repeat',
   how: 'Drag corners, or move them with the arrow keys: the repeat follows the print near them. With Alt it stays as you place it.',
@@ -85,7 +85,7 @@ export const photo = {
   } satisfies Record<SymmetryVerdict, string> as Record<SymmetryVerdict, string>,
   foundOne: 'found',
   breaks: text('Differences from “{group}”'),
-  exact: 'Make the symmetries exact',
+  exact: 'Make the repeat perfectly symmetric',
   show: 'Show',
   overlays: {
     cells: 'Repeats',

@@ -19,7 +19,7 @@ export const plan = {
     'Fabric {width} wide, selvedges {selvedge}, {gap} between pieces, allowance {allowance}; single layer, face up.',
   ),
   folded: text(
-    'Fabric {width} wide, selvedges {selvedge}, {gap} between pieces, allowance {allowance}; folded lengthwise {fold} from the left edge, face to face, shown spread.',
+    'Fabric {width} wide, selvedges {selvedge}, {gap} between pieces, allowance {allowance}; folded lengthwise {fold} from the left edge, right sides together, shown spread.',
   ),
   print: text(
     '{name}: the ring is on a corner of its repeat, {across} from the left edge, {along} from the start.',
@@ -44,15 +44,15 @@ export const plan = {
   notes: {
     plainPieces: 'Pieces of plain fabric are not in the layout: {pieces}.',
     pliesUnlike:
-      'This print does not repeat along the fabric, so the plies cannot all start at the same point of the print. Cut them one by one.',
+      'This print does not repeat along the fabric, so the layers cannot all start at the same point of the print. Cut them one by one.',
     pliesWhole:
-      'Each of the {count} plies is a whole number of repeats ({length}) long, so all start at the same point of the print.',
+      'Each of the {count} layers is a whole number of repeats ({length}) long, so all start at the same point of the print.',
     flawsFromCut:
       'Flaws are measured from the cut, and the print is assumed to start there. If it starts elsewhere, enter the distance.',
     folded:
-      'The fabric is folded {rounded} from its left edge, face to face, and both plies are cut at once.',
+      'The fabric is folded {rounded} from its left edge, right sides together, and both layers are cut at once.',
     foldKeepsPrint:
-      'On folded fabric the print is not moved under any piece, since the lower ply shows its mirror image.',
+      'On folded fabric the print is not moved under any piece, since the lower layer shows its mirror image.',
     phaseRange:
       '{least} to {most}, depending on where the print starts at the selvedge; measure it.',
     phaseNowhere:

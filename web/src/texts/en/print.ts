@@ -226,7 +226,9 @@ export const print = {
       noPrint: text(
         '{name} is not a print: open a picture (PNG, JPEG, WebP, SVG), or a print file of Seamwise.',
       ),
-      wrongLattice: text('The vectors w1 and w2 of {name} do not fit the group {group}.'),
+      wrongLattice: text(
+        'The repeat in {name} (w1, w2) does not fit its symmetry {group}; correct one of them.',
+      ),
     },
   },
 };
