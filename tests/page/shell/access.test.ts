@@ -91,7 +91,7 @@ it('is walked by keys alone, from pieces to seams and across to their twins', as
   const seam = await spoken(page);
   // includes the reason if it does not match
   expect(seam).toMatch(
-    /^.+, [\d.]+ cm, mismatch [\d.]+ mm, (mirrored|continuous|not counted)(, .+)?$/,
+    /^.+, [\d.]+ cm, mismatch [\d.]+ mm, (print mirrored|print continues|not counted)(, .+)?$/,
   );
   await press(page, 'ArrowRight');
   expect(await spoken(page)).not.toBe(seam);
