@@ -16,6 +16,11 @@ const codeSection = 10;
 const gram = 5;
 /** The reach of gzip back into the text, less the length of a large function. [bytes] */
 const reach = 30_000;
+/**
+ * Sequences by which a function counts as longer, so that short ones do not come first by chance. Of
+ * 4 to 32, 20 makes the module of the first answer smallest: 226.0 kB after gzip, 226.2 to 226.7 else.
+ */
+const surplus = 20;
 
 /** Reads an unsigned LEB128 number. @returns number and position behind it */
 function numberAt(bytes, at) {
@@ -87,7 +92,7 @@ function orderOf(bodies) {
     }
     let most = -1;
     for (const k of left) {
-      const share = shared[k] / (grams[k].size + 8);
+      const share = shared[k] / (grams[k].size + surplus);
       if (share > most) [most, next] = [share, k];
     }
   }

@@ -335,7 +335,7 @@ describe('a problem', () => {
   it('rounds lengths of several plies where the print comes again', () => {
     const {problem, notes} = orderOf({}, {plies: 3});
     expect(problem.wholeRepeats).toBe(true);
-    expect(saidOf(notes)).toContain('3 plies is a whole number of repeats (10.00 cm) long');
+    expect(saidOf(notes)).toContain('3 layers is a whole number of repeats (10.00 cm) long');
     const print = {...plainPrint, w1: [8, 1], w2: [-Math.SQRT2, 9]} as const;
     const turned = orderOf({result: result({print})}, {plies: 3});
     expect(turned.problem.wholeRepeats).toBe(false);

@@ -87,7 +87,7 @@ describe('a print file', () => {
   it.each([{w2: [-7, 1]}, {w2: [7, 0]}, {w1: [0, 0]}, {group: 'p4m'}, {group: 'p1', w2: [7, 0]}])(
     'has to span a lattice of its group, which it does not with %o',
     (change) => {
-      expect(() => read(change)).toThrow(/do not fit the group/);
+      expect(() => read(change)).toThrow(/does not fit its symmetry/);
     },
   );
 });
