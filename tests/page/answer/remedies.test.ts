@@ -55,7 +55,7 @@ it(
   {tags: ['thorough']},
   async () => {
     const query = '?garment=garments/asymmetric-dress-m.json&print=prints/p1.json';
-    const page = await openPage({query});
+    const page = await openPage({query, searches: true});
     await solved(page);
     const title = page.getByRole('heading', {name: /^\d+ of 9 visible seams? match/});
     const before = await title.innerText();

@@ -1,7 +1,6 @@
 /** Several garments on one fabric: adding, copies, colours, files and undo. */
 import {expect, it} from 'vitest';
 
-import type {SeamwisePage} from '@/app/page.js';
 import type {LayPlan} from '@/model/result/marker-plan.js';
 import {button, saved, usePage} from '../../support/page/page.js';
 import {laid, layoutOf, pane, panel, rowOf} from '../../support/page/marker.js';
@@ -10,10 +9,6 @@ const openPage = usePage();
 
 it('lays another size and several copies on one fabric, each in its colour, and takes them back', async () => {
   const page = await layoutOf(await openPage());
-  // searches in idle time would solve every garment in many sizes
-  await page.evaluate(() => {
-    document.querySelector<SeamwisePage>('seamwise-page')?.workbench.prefer({solveAsIGo: false});
-  });
   const pieces = pane(page).locator('.piece');
   const list = panel(page).locator('sw-marker-garments li');
   await expect.poll(() => panel(page).locator('#add option[value="size:s"]').count()).toBe(1);

@@ -12,6 +12,11 @@ export interface PageOptions extends BrowserContextOptions {
   readonly beside?: Page;
   /** Simulates a first visit; by default the page shows the pattern, as left by a visit before. */
   readonly isFirst?: boolean;
+  /**
+   * Searches for better answers in idle time; by default the device saves data, and the page does
+   * not: a slow test would have more idle time, and so more solves.
+   */
+  readonly searches?: boolean;
   /** Console messages to accept, where a test breaks something on purpose. */
   readonly maySay?: RegExp;
 }
@@ -31,7 +36,8 @@ export function usePage(): (options?: PageOptions) => Promise<Page> {
   });
   afterAll(() => browser.close());
 
-  return async ({query = '', beside, isFirst = false, maySay, ...context} = {}) => {
+  return async (options = {}) => {
+    const {query = '', beside, isFirst = false, searches = false, maySay, ...context} = options;
     const page = await (
       beside?.context() ??
       (await browser.newContext({
@@ -41,6 +47,11 @@ export function usePage(): (options?: PageOptions) => Promise<Page> {
       }))
     ).newPage();
     opened.push(page);
+    if (!searches) {
+      await page.addInitScript(() => {
+        Object.defineProperty(navigator, 'connection', {value: {saveData: true}});
+      });
+    }
     if (!isFirst) {
       await page.addInitScript(() => {
         try {
