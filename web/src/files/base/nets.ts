@@ -4,9 +4,8 @@
  * cannot divide.
  */
 import {angleOf, distance, minus, type Point} from '../../model/geometry/vectors.js';
-import {boxOf} from '../../model/geometry/polyline.js';
 import {startOf, tipOf, turnedStretch, pointsOfChain, type Chain, type Stretch} from './chain.js';
-import {nearestOn} from '../../model/geometry/nearest.js';
+import {gridOfPoints, pointsOnLine, type PointGrid} from './point-grid.js';
 
 interface NetEdge {
   readonly from: number;
@@ -32,8 +31,9 @@ const mostLines = 2000;
 export function outlinesOfNet(chains: readonly Chain[], reach: number): NetParts {
   if (chains.length > mostLines) return {outlines: [], others: chains, isNet: false};
   const nodes = new Nodes(reach);
-  const ends = chains.flatMap((chain) => [startOf(chain), tipOf(chain)]);
-  const split = chains.flatMap((chain) => splitAtEnds(chain, ends, reach));
+  const ends = chains.flatMap((chain) => [{at: startOf(chain)}, {at: tipOf(chain)}]);
+  const grid = gridOfPoints(ends, reach);
+  const split = chains.flatMap((chain) => splitAtEnds(chain, grid, reach));
   const edges = split.map((chain): NetEdge => ({
     from: nodes.at(startOf(chain)),
     to: nodes.at(tipOf(chain)),
@@ -93,26 +93,19 @@ class Nodes {
 }
 
 /** The parts of a chain between the places where ends of others meet it. */
-function splitAtEnds(chain: Chain, all: readonly Point[], reach: number): Chain[] {
+function splitAtEnds(chain: Chain, ends: PointGrid<{readonly at: Point}>, reach: number): Chain[] {
   const line = pointsOfChain(chain);
-  const {low, high} = boxOf(line);
-  const isInBox = (p: Point): boolean =>
-    [0, 1].every(
-      (k) => (p[k] ?? 0) >= (low[k] ?? 0) - reach && (p[k] ?? 0) <= (high[k] ?? 0) + reach,
-    );
   const isInner = (p: Point): boolean =>
     distance(p, startOf(chain)) > reach && distance(p, tipOf(chain)) > reach;
-  const cuts = all
-    .filter((end) => isInBox(end) && isInner(end))
-    .map((end) => nearestOn(line, end, false))
-    .filter(({off}) => off <= reach)
-    .map(({at, step}) => ({at, step, along: distance(line[step] ?? at, at)}))
+  const cuts = [...pointsOnLine(line, false, ends, reach)]
+    .filter(([end]) => isInner(end.at))
+    .map(([, {at, step}]) => ({at, step, along: distance(line[step] ?? at, at)}))
     .sort((a, b) => a.step - b.step || a.along - b.along);
   if (cuts.length === 0) return [chain];
   const id = chain.stretches[0]?.id ?? 0;
-  const ends = [...cuts, {at: tipOf(chain), step: line.length - 2}];
+  const stops = [...cuts, {at: tipOf(chain), step: line.length - 2}];
   let [from, next] = [startOf(chain), 1];
-  return ends.flatMap(({at, step}): Chain[] => {
+  return stops.flatMap(({at, step}): Chain[] => {
     const points = [from, ...line.slice(next, step + 1), at].filter(
       (p, k, all) => k === 0 || distance(p, all[k - 1] ?? p) > 0,
     );
@@ -168,7 +161,7 @@ function blocksOf(edges: readonly NetEdge[]): NetEdge[][] {
   return blocks;
 }
 
-const pointsOfEdge = ({stretches}: NetEdge): Point[] =>
+const pointsOfEdge = ({stretches}: NetEdge): readonly Point[] =>
   pointsOfChain({stretches, isClosed: false, gap: {width: 0, at: [0, 0]}});
 
 /** The edges around a block in order, and whether each is turned. */
