@@ -79,7 +79,12 @@ describe('a PDF', () => {
       (_, k) => `100 140 m ${100 + 90 * Math.cos(k)} ${140 + 90 * Math.sin(k)} l S`,
     ).join('\n');
     const {pieces} = await read(pdfOf([{width, height, content: `${rays}\n5 5 60 60 re S`}]));
-    expect(pieces).toHaveLength(1);
+    expect(pieces.map(({sewn}) => sewn.map(({start}) => start.map(Math.round)))).toContainEqual([
+      [5, -292],
+      [65, -292],
+      [65, -232],
+      [5, -232],
+    ]);
   });
 
   it('of forms that draw each other millions of times is refused', async () => {

@@ -24,16 +24,24 @@ interface NetParts {
 /** Greatest number of lines of a net; larger ones are drawings of something else. */
 const mostLines = 2000;
 
+/** Greatest number of parts into which those lines divide each other. */
+const mostParts = 4000;
+
 /**
  * Divides open chains into outlines and other lines.
  * @param reach greatest gap between ends that meet
  */
 export function outlinesOfNet(chains: readonly Chain[], reach: number): NetParts {
-  if (chains.length > mostLines) return {outlines: [], others: chains, isNet: false};
+  const none: NetParts = {outlines: [], others: chains, isNet: false};
+  if (chains.length > mostLines) return none;
   const nodes = new Nodes(reach);
   const ends = chains.flatMap((chain) => [{at: startOf(chain)}, {at: tipOf(chain)}]);
   const grid = gridOfPoints(ends, reach);
-  const split = chains.flatMap((chain) => splitAtEnds(chain, grid, reach));
+  const split: Chain[] = [];
+  for (const chain of chains) {
+    for (const part of splitAtEnds(chain, grid, reach)) split.push(part);
+    if (split.length > mostParts) return none;
+  }
   const edges = split.map((chain): NetEdge => ({
     from: nodes.at(startOf(chain)),
     to: nodes.at(tipOf(chain)),
@@ -46,7 +54,7 @@ export function outlinesOfNet(chains: readonly Chain[], reach: number): NetParts
       new Map<number, number>(),
     );
   const isNet = [...degrees.values()].some((degree) => degree > 2);
-  if (!isNet) return {outlines: [], others: chains, isNet};
+  if (!isNet) return none;
   const used = new Set<NetEdge>();
   const outlines = blocksOf(edges).flatMap((block): Chain[] => {
     const outer = outerFace(block);
@@ -180,10 +188,12 @@ function outerFace(block: readonly NetEdge[]): Map<NetEdge, boolean> {
   if (!first) return face;
   const begin = firstStep(first, block, heading);
   const startNode = begin.isTurned ? begin.edge.to : begin.edge.from;
-  for (let {edge, isTurned} = begin; ;) {
+  // where edges leave a node in one direction, the way may circle beside its start
+  let {edge, isTurned} = begin;
+  for (let step = 0; step < 2 * block.length; step++) {
     face.set(edge, isTurned);
     const node = isTurned ? edge.from : edge.to;
-    if (node === startNode || face.size >= block.length) return face;
+    if (node === startNode) return face;
     const back = heading(edge, !isTurned);
     const next = leavingAt(node, block)
       .filter((one) => one.edge !== edge)
@@ -192,6 +202,7 @@ function outerFace(block: readonly NetEdge[]): Map<NetEdge, boolean> {
     if (!next) return face;
     ({edge, isTurned} = next);
   }
+  return face;
 }
 
 interface Step {
