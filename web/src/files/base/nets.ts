@@ -5,7 +5,7 @@
  */
 import {angleOf, distance, minus, type Point} from '../../model/geometry/vectors.js';
 import {startOf, tipOf, turnedStretch, pointsOfChain, type Chain, type Stretch} from './chain.js';
-import {gridOfPoints, pointsOnLine, type PointGrid} from './point-grid.js';
+import {gridOfPoints, PointGrid, pointsOnLine} from './point-grid.js';
 
 interface NetEdge {
   readonly from: number;
@@ -76,26 +76,21 @@ export function outlinesOfNet(chains: readonly Chain[], reach: number): NetParts
 /** Assigns one number to all ends at one place. */
 class Nodes {
   readonly #reach: number;
-  readonly #cells = new Map<string, {readonly at: Point; readonly node: number}[]>();
+  readonly #grid: PointGrid<{readonly at: Point; readonly node: number}>;
   #count = 0;
 
   constructor(reach: number) {
     this.#reach = reach;
+    this.#grid = new PointGrid(reach);
   }
 
   at(point: Point): number {
-    const [column, row] = point.map((one) => Math.floor(one / this.#reach)) as [number, number];
-    for (const i of [column - 1, column, column + 1]) {
-      for (const j of [row - 1, row, row + 1]) {
-        const found = this.#cells
-          .get(`${i} ${j}`)
-          ?.find(({at}) => distance(at, point) <= this.#reach);
-        if (found) return found.node;
-      }
+    for (const cell of this.#grid.around(point)) {
+      const found = cell.find(({at}) => distance(at, point) <= this.#reach);
+      if (found) return found.node;
     }
-    const key = `${column} ${row}`;
     const node = this.#count++;
-    this.#cells.set(key, [...(this.#cells.get(key) ?? []), {at: point, node}]);
+    this.#grid.add(point, {at: point, node});
     return node;
   }
 }

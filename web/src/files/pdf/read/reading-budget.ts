@@ -8,6 +8,7 @@ const most = {
   points: 1_200_000,
   /** Points of visible lines, with curves as points. */
   'visible points': 260_000,
+  /** Lines between moves of the pen, after clipping. */
   'visible lines': 55_000,
   /** Points of filled marks; letters drawn as outlines look like them. */
   'points of marks': 300_000,
