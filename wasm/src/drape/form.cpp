@@ -61,9 +61,9 @@ double Form::distance(const Vec3& p, BodyParts parts, Vec3* gradient) const {
 }
 
 double Form::girthAround(double height, BodyParts parts) const {
-  // Points of the left half of the section, found by Newton's method from outside. Rays between the
-  // legs may find none, and stay in the middle.
-  constexpr int kRays = 25, kNewtonSteps = 8;
+  // Points of the left half of the section, found by Newton's method within bounds. Rays between
+  // the legs find none, and end in the middle.
+  constexpr int kRays = 49, kSteps = 30;
   constexpr double kAtSurface = 1e-3;  // cm
   const Vec3 middle(0, height,
                     tube(BodyPart::kTorso).section(height - measures_.waist_height).middle);
@@ -72,14 +72,15 @@ double Form::girthAround(double height, BodyParts parts) const {
   for (int ray = 0; ray < kRays; ++ray) {
     const Turn turn = turnOfDegrees(180.0 * ray / (kRays - 1));
     const Vec3 outward(turn.sine, 0, turn.cosine);
-    double radius = outside, off = 1;
-    for (int step = 0; step < kNewtonSteps && std::abs(off) > kAtSurface; ++step) {
+    double low = 0, high = outside, radius = outside, off = 1;
+    for (int step = 0; step < kSteps && std::abs(off) > kAtSurface; ++step) {
       points[ray] = middle + radius * outward;
       Vec3 gradient;
       off = distance(points[ray], parts, &gradient);
-      radius = std::clamp(radius - off / std::max(dot(gradient, outward), 0.3), 0.0, outside);
+      (off > 0 ? high : low) = radius;
+      radius -= off / dot(gradient, outward);
+      if (!(radius > low && radius < high)) radius = (low + high) / 2;
     }
-    if (std::abs(off) > kAtSurface) points[ray] = middle;
   }
   // Cauchy's formula: the perimeter of the convex hull is the integral of its extent over the
   // directions.

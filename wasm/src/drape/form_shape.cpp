@@ -95,7 +95,7 @@ Tube leg(const Measures& m, double girth_at_hip, double side) {
           {ring(0, -2.5, m.ankle), ring(8, -2.5, m.ankle), ring(0.62 * knee, -2.8, 0.92 * m.knee),
            ring(knee, -1.4, m.knee), ring(between(0.5, knee, crotch), -0.8, 0.84 * m.thigh),
            ring(crotch - 5, -1, m.thigh), ring(hip, -1, girth_at_hip),
-           ring(hip + 10, -1, 0.85 * girth_at_hip)},
+           ring(hip + 10, -1, 0.85 * girth_at_hip), ring(hip + 25, -1, 0.85 * girth_at_hip)},
           {3 - crotch, 0, 3},
           {hip - crotch + 6, 0, 5}};
 }
