@@ -131,16 +131,25 @@ export async function importWith(
         ...reading,
         ...(known && {scale: await scaleBy(known, bytes, name, reading)}),
       });
-  const sewn =
-    seams === 'none'
-      ? {...document, seams: []}
-      : seams === 'suggest' && document.seams.length === 0
-        ? await withSuggestions(document)
-        : document;
+  const isAsked = seams === 'suggest' && document.seams.length === 0;
+  const sewn = isAsked ? await withSuggestions(document) : document;
+  const kept = seams === 'none' ? {...document, seams: []} : sewn;
+  const notes = isAsked ? [...found.notes, ...(await unsuggested(document))] : found.notes;
   return {
-    garment: garmentFile(sewn),
-    report: {...found, seams: sewn.seams.map((seam) => seamIn(sewn, seam))},
+    garment: garmentFile(kept),
+    report: {...found, notes, seams: kept.seams.map((seam) => seamIn(kept, seam))},
   };
+}
+
+/** A note if the garment has too many edges for suggestions. */
+async function unsuggested({pieces}: GarmentDocument): Promise<readonly string[]> {
+  const {mostScoredEdges} = await import('../pairing/scores.js');
+  const edges = pieces.reduce((sum, {outline}) => sum + outline.length, 0);
+  return edges > mostScoredEdges
+    ? [
+        `No seams are suggested: the pieces have ${edges} edges, and at most ${mostScoredEdges} can be compared; import fewer pieces.`,
+      ]
+    : [];
 }
 
 /** Adds nearly certain seams, marked as suggested. */

@@ -23,6 +23,12 @@ export interface Scores {
   readonly images: Int32Array;
 }
 
+/**
+ * Most edges of a garment whose pairs are scored. They take 7 s on one core, and the time grows with
+ * the square of their number.
+ */
+export const mostScoredEdges = 600;
+
 /** Number of rounds that update the beliefs from those of the neighbours. */
 const rounds = 3;
 
@@ -74,7 +80,10 @@ function shapesOf(pieces: GarmentDocument['pieces'], pleats: PleatState): Shapes
   const candidates = candidatesOf(
     surroundingsOf(garment, wholes),
     (i, j) =>
-      edges[i]?.isOpen === false && edges[j]?.isOpen === false && !isOfTwins(garment, images, i, j),
+      edges.length <= mostScoredEdges &&
+      edges[i]?.isOpen === false &&
+      edges[j]?.isOpen === false &&
+      !isOfTwins(garment, images, i, j),
   );
   const odds = weighed(candidates, unpacked(alone), candidates.features);
   const found = {garment, images, candidates, odds};
