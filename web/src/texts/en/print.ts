@@ -192,7 +192,7 @@ export const print = {
       outsidePictures: text(
         '{name} links to other pictures, which browsers leave out; embed them in the file, or save it as PNG.',
       ),
-      unreadable: text('{name} cannot be read as a picture.'),
+      unreadable: text('{name} cannot be read as a picture; save it again as PNG, JPEG or SVG.'),
       kinds: {
         png: 'a PNG picture',
         jpeg: 'a JPEG picture',
