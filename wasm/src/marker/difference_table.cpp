@@ -144,15 +144,18 @@ void stretchesIn(const std::vector<HalfPlane>& sides, double outwards, const Vec
     ends.push_back(room * share);
     ends.push_back(-side.normal.dot(next) * share);
   }
+  constexpr double kFar = 1e6;  // beyond all dots
   for (int k = lines.lo; k <= lines.hi; ++k) {
-    double from = -1e6, to = 1e6;
+    double from = -kFar, to = kFar;
     for (std::size_t n = 0; n < lower.size(); n += 2)
       from = std::max(from, lower[n] + k * lower[n + 1]);
     for (std::size_t n = 0; n < upper.size(); n += 2)
       to = std::min(to, upper[n] + k * upper[n + 1]);
     for (std::size_t n = 0; n < level.size(); n += 2)
-      if (level[n] + k * level[n + 1] < 0) to = -1e6;
-    add(k, Stretch{static_cast<float>(from), static_cast<float>(to)});
+      if (level[n] + k * level[n + 1] < 0) to = -kFar;
+    // a side that is nearly level crosses the line farther away than an int can say
+    add(k,
+        Stretch{static_cast<float>(std::min(from, kFar)), static_cast<float>(std::max(to, -kFar))});
   }
 }
 
