@@ -26,26 +26,20 @@ function runTool(name, ...args) {
   return run(node, [program, ...args]);
 }
 
-/**
- * Each native test file runs once for a commit: fast ones under sanitizers, slow ones optimised.
- */
-const nativeTests = {native: 'slow', sanitize: 'fast'};
-
-/** Builds a preset and runs its native tests. */
-async function native(preset, {isThorough, level}, flags = []) {
+/** Builds a preset and runs its native tests. @param which  arguments of ctest that choose tests */
+async function native(preset, {isThorough, level}, flags = [], which = []) {
   await ensureSystem(forNativeTests);
-  const chosen = `-DSEAMWISE_TESTS=${isThorough ? 'all' : nativeTests[preset]}`;
   // A new warning of another compiler should not fail on a user's machine.
   const strict = process.env.SEAMWISE_STRICT ? ['-DSEAMWISE_WARNINGS_ARE_ERRORS=ON'] : [];
   const built =
-    (await configure(preset, [chosen, ...strict, ...flags])) &&
+    (await configure(preset, [...strict, ...flags])) &&
     (await run('cmake', ['--build', '--preset', preset, '--', '--quiet'], {output: 'on failure'}));
   if (!built) return false;
   const parallel = ['-j', String(availableParallelism())];
   const times = ['--output-junit', timesOf(`${preset}.xml`)];
-  const words = ['--preset', preset, ...parallel, ...times];
+  const words = ['--preset', preset, ...parallel, ...times, ...which];
   const programs = [`build/${preset}/tests/native/seamwise_tests`, ...nativeTestFiles];
-  return unlessPassed(`${preset} ${chosen}`, programs, isThorough, () =>
+  return unlessPassed([preset, ...which].join(' '), programs, isThorough, () =>
     run('ctest', words, {env: {SEAMWISE_TESTS: level}}),
   );
 }
@@ -54,10 +48,10 @@ async function native(preset, {isThorough, level}, flags = []) {
 const nativeTestFiles = ['tests/fixtures', 'public/garments', 'web/src/model/base/core-tables.ts'];
 
 /** One build for tests and fuzzer, by clang; by another compiler if clang is unavailable. */
-async function sanitize(level) {
+async function sanitize(level, ...which) {
   const canFuzz = await hasOrInstalls(forFuzzing);
   const clang = [`-DCMAKE_CXX_COMPILER=${clangTool('clang++')}`, '-DSEAMWISE_FUZZ=ON'];
-  return native('sanitize', level, canFuzz ? clang : []);
+  return native('sanitize', level, canFuzz ? clang : [], which);
 }
 
 /** Runs the fuzzer; skipped if it is unavailable. */
@@ -94,7 +88,7 @@ function eslint({isThorough}) {
 
 async function clangTidy({isThorough}) {
   await ensureSystem(forLint);
-  return tidy('build/native', isThorough);
+  return tidy('build/sanitize', isThorough);
 }
 
 /** Runs a project of vitest.config.ts. @param more  arguments */
@@ -138,28 +132,35 @@ async function product() {
   return true;
 }
 
-/** Checks by name, in the order of their start; `after` are the checks whose products they need. */
+/**
+ * Checks by name, in the order of their start; `needs` are the checks whose products they need, and
+ * `after` those for which they wait only if these run as well.
+ */
 export const checks = {
   build: {run: product},
+  sanitize: {run: (level) => sanitize(level)},
+  browser: {needs: ['build'], run: browser},
   native: {run: (level) => native('native', level)},
-  browser: {after: ['build'], run: browser},
-  sanitize: {run: sanitize},
-  web: {after: ['build', 'native'], run: (level) => web(level)},
-  fuzz: {after: ['sanitize'], run: fuzzed},
-  tidy: {after: ['native'], run: clangTidy},
-  eslint: {after: ['build'], run: eslint},
-  types: {after: ['build'], run: types},
+  web: {needs: ['build'], after: ['native'], run: (level) => web(level)},
+  fuzz: {needs: ['sanitize'], run: fuzzed},
+  tidy: {needs: ['sanitize'], run: clangTidy},
+  eslint: {needs: ['build'], run: eslint},
+  types: {needs: ['build'], run: types},
   format: {run: format},
-  timing: {after: ['build'], isAlone: true, run: timing},
+  timing: {needs: ['build'], isAlone: true, run: timing},
 };
 
-/** Checks of a commit. */
-export const ordinary = Object.keys(checks).filter((name) => name !== 'timing');
+/** Checks of the thorough run. */
+export const thorough = Object.keys(checks);
+/** Checks of a commit; sanitizers find more in native tests than their optimised build. */
+export const ordinary = thorough.filter((name) => name !== 'timing' && name !== 'native');
 /** Checks while working: below two minutes once all is built. */
-export const fast = ['build', 'sanitize', 'eslint', 'types', 'format', 'scripts'];
+export const fast = ['build', 'brief', 'eslint', 'types', 'format', 'scripts'];
+/** Native tests that solve and simulate little. */
+checks.brief = {run: (level) => sanitize(level, '-LE', 'slow')};
 /** Tests of scripts that start no program and solve nothing. */
 checks.scripts = {
-  after: ['build'],
+  needs: ['build'],
   run: (level) => web(level, 'tests/rules', 'tests/web'),
 };
 

@@ -1,7 +1,7 @@
 // `npm test`: installs and builds what is missing, then runs the checks of a commit, all of them
 // even if one fails. `npm test -- fast` takes less than two minutes, `npm test -- thorough` runs
 // all checks, and `npm test -- native web` runs only the named ones.
-import {checks, fast, ordinary, systemNeeds} from './checks.mjs';
+import {checks, fast, ordinary, systemNeeds, thorough} from './checks.mjs';
 import {countsIn} from './counts.mjs';
 import {ensurePackages} from './packages.mjs';
 import {beginReport, report, timesOf} from './report.mjs';
@@ -33,9 +33,9 @@ async function outcomes(names, level) {
   const running = new Map();
   const ended = [];
   const isReady = (name) => {
-    const {after = [], isAlone} = checks[name];
+    const {needs = [], after = [], isAlone} = checks[name];
     if (isAlone) return running.size === 0 && waiting.length === 1;
-    return after.every((other) => !waiting.includes(other) && !running.has(other));
+    return [...needs, ...after].every((other) => !waiting.includes(other) && !running.has(other));
   };
   while (waiting.length > 0 || running.size > 0) {
     const next = running.size < 2 ? waiting.find(isReady) : undefined;
@@ -56,14 +56,14 @@ async function outcomes(names, level) {
 /** The checks of a level, or the named ones, with those they need. */
 function chosen(asked) {
   if (asked.length === 0) return ordinary;
-  if (asked.includes('thorough')) return [...ordinary, 'timing'];
+  if (asked.includes('thorough')) return thorough;
   const names = asked.flatMap((name) => (name === 'fast' ? fast : [name]));
   const unknown = names.find((name) => !Object.hasOwn(checks, name));
   if (unknown) {
     const known = ['fast', 'thorough', ...Object.keys(checks)].join(', ');
     throw new SetupError(`no check '${unknown}'; there are ${known}`);
   }
-  const withNeeds = (name) => [...(checks[name].after ?? []).flatMap(withNeeds), name];
+  const withNeeds = (name) => [...(checks[name].needs ?? []).flatMap(withNeeds), name];
   return [...new Set(names.flatMap(withNeeds))];
 }
 

@@ -4,6 +4,7 @@
 
 #include "methods/metrics.h"
 #include "support/cut_layout.h"
+#include "support/level.h"
 #include "support/meshed_samples.h"
 
 namespace seamwise {
@@ -49,7 +50,8 @@ class CutLayoutIn : public ::testing::TestWithParam<const char*> {
 };
 
 INSTANTIATE_TEST_SUITE_P(AlignmentSearch, CutLayoutIn,
-                         ::testing::Values("p1", "p2", "pmm", "p4m", "p31m", "pgg"),
+                         ::testing::ValuesIn(testing::sampleOf<const char*>(
+                             3, {"pmm", "p31m", "pgg", "p1", "p2", "p4m"})),
                          [](const auto& test) { return std::string(test.param); });
 
 TEST_P(CutLayoutIn, IsPutTogetherAgain) {
@@ -107,11 +109,11 @@ Garment scattered(Garment garment) {
 std::vector<std::pair<Pattern, WallpaperGroup>> garments() {
   const Garment tee = scattered(small::tee(1.5)), trousers = scattered(small::trousers(true));
   std::vector<std::pair<Pattern, WallpaperGroup>> all;
-  for (const char* name : {"pmm", "p4m", "cmm", "p6m"})
+  for (const char* name : testing::sampleOf<const char*>(1, {"p4m", "pmm", "cmm", "p6m"}))
     all.emplace_back(meshedPattern(tee, true), sampleGroup(*findGroup(name)));
-  for (const char* name : {"pg", "pgg"})
+  for (const char* name : testing::sampleOf<const char*>(1, {"pgg", "pg"}))
     all.emplace_back(meshedPattern(trousers, true), sampleGroup(*findGroup(name)));
-  for (const char* name : {"p1", "p4", "p4g"})
+  for (const char* name : testing::sampleOf<const char*>(1, {"p4", "p1", "p4g"}))
     all.emplace_back(meshedPattern(tee, false), sampleGroup(*findGroup(name)));
   return all;
 }

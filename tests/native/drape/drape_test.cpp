@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "drape/drape_samples.h"
+#include "support/level.h"
 
 namespace seamwise {
 namespace {
@@ -57,6 +58,7 @@ TEST(Drapes, SlicesOfWorkChangeNoByte) {
 }
 
 TEST(Drapes, AnotherCutIsSettledFromTheLastOneForLess) {
+  SEAMWISE_THOROUGH_ONLY();
   const Laid laid;
   Drape first(laid.problem());
   while (first.advance(1)) {

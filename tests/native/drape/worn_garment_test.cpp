@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "drape/mesh_places.h"
+#include "support/level.h"
 #include "support/meshed_samples.h"
 
 namespace seamwise {
@@ -27,6 +28,7 @@ std::unique_ptr<WornGarment> worn(const SolvedGarment& garment, double edge) {
 }
 
 TEST(WornGarments, ATeeHangsAlikeOnAMeshTwiceAsFine) {
+  SEAMWISE_THOROUGH_ONLY();
   const SolvedGarment tee = drafted("tee-m", kFineCloth / 2);
   const auto usual = worn(tee, kFineCloth), fine = worn(tee, kFineCloth / 2);
   double squares = 0;

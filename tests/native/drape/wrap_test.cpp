@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "drape/weld.h"
+#include "support/level.h"
 #include "support/meshed_samples.h"
 
 namespace seamwise {
@@ -74,10 +75,10 @@ TEST_P(DrapeSamples, AreWrappedOutsideTheFormSewnAndHardlyStretched) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DrapeSamples,
-                         ::testing::Values("apron", "asymmetric-dress", "gathered-skirt", "hoodie",
-                                           "patchwork-jacket", "princess-dress", "raglan",
-                                           "shift-dress", "shirt", "six-gore-skirt", "tee",
-                                           "trousers"));
+                         ::testing::ValuesIn(testing::sampleOf<const char*>(
+                             4, {"asymmetric-dress", "raglan", "shirt", "trousers", "apron",
+                                 "gathered-skirt", "hoodie", "patchwork-jacket", "princess-dress",
+                                 "shift-dress", "six-gore-skirt", "tee"})));
 
 TEST(DrapeWrap, LaysTheHemOfABackThatHangsLowerThanItsFrontsAsLongAsItIs) {
   const Sample sample = sampleOf("shirt-m");

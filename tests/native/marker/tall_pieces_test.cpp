@@ -4,6 +4,7 @@
 
 #include "marker/marker_enumeration.h"
 #include "marker/marker_samples.h"
+#include "support/level.h"
 
 namespace seamwise {
 namespace {
@@ -84,14 +85,16 @@ bool expectSame(const MarkerProblem& problem, double longest, const std::string&
 
 TEST(TallPieces, LieSideBySideAsShortAsInAnyLayout) {
   int found = 0;
-  for (int k = 0; k < 90; ++k) found += expectSame(longPieces(k), 27, std::to_string(k)) ? 1 : 0;
-  EXPECT_GT(found, 25);
-  EXPECT_LT(found, 80);
+  const int all = testing::cases(12, 90);
+  for (int k = 0; k < all; ++k) found += expectSame(longPieces(k), 27, std::to_string(k)) ? 1 : 0;
+  EXPECT_GT(found, all / 4);
+  EXPECT_LT(found, all - all / 9);
 }
 
 TEST(TallPieces, LieSideBySideFromACutWithFlawsAndPins) {
   int found = 0;
-  for (int k = 0; k < 90; ++k) {
+  const int all = testing::cases(12, 90);
+  for (int k = 0; k < all; ++k) {
     MarkerProblem problem = longPieces(k);
     Random random(900 + k);
     problem.start = random.between(0, 4);
@@ -104,24 +107,26 @@ TEST(TallPieces, LieSideBySideFromACutWithFlawsAndPins) {
     }
     found += expectSame(problem, 27, std::to_string(k)) ? 1 : 0;
   }
-  EXPECT_GT(found, 20);
-  EXPECT_LT(found, 80);
+  EXPECT_GT(found, all / 5);
+  EXPECT_LT(found, all - all / 9);
 }
 
 TEST(TallPieces, KeepTheNapOfTheirGarments) {
   int found = 0;
-  for (int k = 0; k < 40; ++k) {
+  const int all = testing::cases(8, 40);
+  for (int k = 0; k < all; ++k) {
     MarkerProblem problem = longPieces(k);
     problem.nap = Nap::kGarment;
     found += expectSame(problem, 27, std::to_string(k)) ? 1 : 0;
   }
-  EXPECT_GT(found, 10);
-  EXPECT_LT(found, 38);
+  EXPECT_GT(found, all / 4);
+  EXPECT_LT(found, all);
 }
 
 TEST(TallPieces, AreProvenInAllWaysThatTheirGarmentsMayBeTurned) {
   int proven = 0;
-  for (int k = 0; k < 12; ++k) {
+  const int all = testing::cases(4, 12);
+  for (int k = 0; k < all; ++k) {
     MarkerProblem problem = longPieces(k);
     problem.nap = Nap::kGarment;
     problem.width += 4;
@@ -145,7 +150,7 @@ TEST(TallPieces, AreProvenInAllWaysThatTheirGarmentsMayBeTurned) {
     ++proven;
     EXPECT_LE(marker->length(), shortest + 0.01 + 1e-4) << k;
   }
-  EXPECT_GE(proven, 10);
+  EXPECT_GE(proven, all - all / 6);
 }
 
 TEST(TallPieces, AreProvenBesidePins) {

@@ -2,6 +2,7 @@
 
 #include "pattern/discretise.h"
 #include "support/garment_texts.h"
+#include "support/level.h"
 #include "support/solver_samples.h"
 
 namespace seamwise {
@@ -89,7 +90,8 @@ TEST(Reach, IsWhatBothSidesMayMoveTogether) {
 }
 
 TEST(SolvedSeams, AreNeverWorseThanByPlacingAloneNorBentInVain) {
-  for (const char* garment : {"apron", "tee", "gathered-skirt", "raglan", "trousers"})
+  for (const char* garment :
+       testing::sampleOf<const char*>(2, {"tee", "gathered-skirt", "apron", "raglan", "trousers"}))
     for (const char* group : {"pmm", "p1"}) {
       const Result result = solved(onGrain(garment, group));
       const Shapes rest = restShapes(result.pattern);
@@ -166,8 +168,8 @@ TEST(Effort, NeverEndsWorse) {
 }
 
 TEST(FreedomFromSymmetry, NeverEndsWorse) {
-  const std::pair<const char*, const char*> cases[] = {
-      {"raglan", "pgg"}, {"trousers", "pmm"}, {"shirt", "p31m"}, {"six-gore-skirt", "p31m"}};
+  const auto cases = testing::sampleOf<std::pair<const char*, const char*>>(
+      1, {{"raglan", "pgg"}, {"trousers", "pmm"}, {"shirt", "p31m"}, {"six-gore-skirt", "p31m"}});
   int its_placing = 0;
   for (const auto& [garment, group] : cases) {
     Task t = onGrain(garment, group);

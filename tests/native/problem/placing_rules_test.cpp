@@ -172,7 +172,7 @@ double mostOffUpright(const Result& r) {
 
 TEST(OneWayPrints, NeverHangUpsideDownThoughTheGrainIsFree) {
   for (const char* garment : {"tee", "asymmetric-dress"})
-    for (const char* group : {"p1", "pm", "pg", "p3m1"})
+    for (const char* group : testing::sampleOf<const char*>(2, {"pm", "p3m1", "p1", "pg"}))
       for (std::uint32_t seed : testing::sampleOf<std::uint32_t>(1, {1, 2, 3})) {
         Task t = task(garment, group);
         t.print["oneWay"] = true, t.seed = seed;

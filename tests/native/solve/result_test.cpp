@@ -1,5 +1,6 @@
 #include "geometry/polygon.h"
 #include "solve/reckoning.h"
+#include "support/level.h"
 #include "support/meshed_samples.h"
 #include "support/print_samples.h"
 #include "support/solver_samples.h"
@@ -22,9 +23,11 @@ double movedAsItLies(const Result& r) {
 }
 
 std::vector<Task> tasks() {
-  std::vector<Task> all;
-  for (const char* garment : {"gathered-skirt", "tee", "princess-dress"})
-    for (const char* group : {"p1", "pmm", "p31m", "pgg"}) all.push_back(task(garment, group));
+  std::vector<Task> all{task("gathered-skirt", "p1"), task("tee", "pmm"),
+                        task("princess-dress", "p31m"), task("tee", "pgg")};
+  if (testing::isThorough())
+    for (const char* garment : {"gathered-skirt", "tee", "princess-dress"})
+      for (const char* group : {"p1", "pmm", "p31m", "pgg"}) all.push_back(task(garment, group));
   return all;
 }
 
@@ -50,7 +53,7 @@ TEST(Metrics, SayWhatTheGeometrySays) {
 }
 
 TEST(Metrics, CountOnlyWhatMayMeetWhereMirroredSeamsAreForbidden) {
-  for (const char* group : {"pmm", "pgg", "p31m"}) {
+  for (const char* group : testing::sampleOf<const char*>(1, {"pgg", "pmm", "p31m"})) {
     Task t = task("tee", group);
     EXPECT_FALSE(solved(t).continuous.has_value());
     t.options["continuousOnly"] = true;

@@ -121,10 +121,16 @@ TEST(SolveMemo, IsSharedByTwoWhoTakeTurnsFromTheirFirstStepOn) {
     tasks[k].options["effort"] = 2;  // the second solve meets the other's mesh
     setups[k] = std::make_unique<SolverSetup>(testing::problemOf(tasks[k]), &memo);
   }
-  for (bool more = true; more;) more = setups[0]->advance() | setups[1]->advance();
+  for (bool more = true; more;) {
+    const bool first = setups[0]->advance();
+    more = setups[1]->advance() || first;
+  }
   std::vector<Solver> solvers;
   for (auto& setup : setups) solvers.push_back(setup->take().value());
-  for (bool more = true; more;) more = solvers[0].advance(1) | solvers[1].advance(1);
+  for (bool more = true; more;) {
+    const bool first = solvers[0].advance(1);
+    more = solvers[1].advance(1) || first;
+  }
   for (int k : {0, 1}) {
     const Outcome<Result> result = solvers[k].finish();
     ASSERT_TRUE(result.ok()) << result.error().message;

@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <functional>
+#include <map>
 #include <sstream>
 
 #include "io/problem_json.h"
@@ -65,10 +66,21 @@ inline Problem problemOf(const Task& t) {
   return std::move(problem).value();
 }
 
-inline Result solved(const Task& t) {
+/// The result of a solve of its own.
+inline Result solvedAnew(const Task& t) {
   Outcome<Result> result = solve(problemOf(t));
   EXPECT_TRUE(result.ok()) << result.error().message;
   return std::move(result).value();
+}
+
+/// The result; the same problem is solved once for all tests of a program.
+inline const Result& solved(const Task& t) {
+  static std::map<std::string, Result> results;
+  const Json key = {t.garment, t.print, t.symmetry, t.options, static_cast<int>(t.method), t.seed};
+  const std::string text = key.dump();
+  const auto known = results.find(text);
+  return known != results.end() ? known->second
+                                : results.emplace(text, solvedAnew(t)).first->second;
 }
 
 inline Json& panelsOf(Json& garment) { return garment["pattern"]["panels"]; }

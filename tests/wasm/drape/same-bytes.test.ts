@@ -1,6 +1,6 @@
 /** A drape must have the same bytes on all platforms. */
 import {execFileSync} from 'node:child_process';
-import {existsSync, mkdtempSync, rmSync, writeFileSync} from 'node:fs';
+import {mkdtempSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {fileURLToPath} from 'node:url';
@@ -8,7 +8,6 @@ import {fileURLToPath} from 'node:url';
 import {drape, solve} from 'seamwise/node';
 import {expect, it} from 'vitest';
 
-import {sampleOf} from '../../support/level.js';
 import {checks, sample} from '../../support/garments/samples.js';
 
 /** Program built with the native tests. */
@@ -21,8 +20,9 @@ const bytesOf = (positions: Float64Array) =>
 
 const compared = ['tee', 'six-gore-skirt', 'patchwork-jacket', 'box-pleated-skirt'] as const;
 
-it.skipIf(!existsSync(native)).each(sampleOf(1, compared))(
+it.each(compared)(
   'of %s are those of a native program',
+  {tags: ['thorough']},
   async (name) => {
     const result = await solve({garment: sample(name), print: checks});
     const folder = mkdtempSync(join(tmpdir(), 'seamwise-'));
