@@ -3,6 +3,7 @@
  */
 import {beforeEach, expect, it} from 'vitest';
 
+import {having} from '@/model/base/arguments.js';
 import {SolverError} from '@/model/base/failure.js';
 import {Answerer, type AnswerTable, type Queue} from '@/solver/answers/answerer.js';
 import {workerBlocked} from '@/solver/answers/failures.js';
@@ -73,6 +74,7 @@ function loader<M>(name: string, of: (exports: WebAssembly.Exports) => M): Modul
   return {file: `${name}.wasm`, url, create};
 }
 
+const any = having<never>({});
 const waits: Queue = {atOnce: 1};
 
 const table: AnswerTable<TestRequests, TestModules> = {
@@ -80,6 +82,7 @@ const table: AnswerTable<TestRequests, TestModules> = {
     halving: loader('halving', (exports) => exports as unknown as Halving),
     other: loader('other', () => ({name: 'other'})),
   },
+  checks: {halve: any, wait: any, refuse: any, trap: any, name: any},
   requests: {
     halve: {
       module: 'halving',
@@ -245,7 +248,7 @@ it('rejects what can be no message, and hands over nothing with it', async () =>
   const asked = {...request(), odd: () => undefined};
   const transfer = [asked.values.buffer as ArrayBuffer];
   await withClient(async (client) => {
-    await expect(client.ask('halve', asked, {transfer})).rejects.toThrow('could not be cloned');
+    await expect(client.ask('halve', asked, {transfer})).rejects.toThrow('cannot be sent to the solver');
     expect(await client.ask('halve', {values: asked.values}, {})).toEqual({values: halves});
   });
 });

@@ -1,7 +1,14 @@
 /** Functions of `seamwise/node` that convert documents at once, with checks of their arguments. */
 import * as glbFiles from '../files/glb/glb.js';
 import * as plans from '../marker/plan.js';
-import {bytes, checkArguments, either, having, optional} from '../model/base/arguments.js';
+import {
+  bytes,
+  checkArguments,
+  either,
+  having,
+  optional,
+  readable,
+} from '../model/base/arguments.js';
 import {SolverError} from '../model/base/failure.js';
 import {number, text, type Read} from '../model/base/read.js';
 import {checkedResult} from '../model/documents/checked-result.js';
@@ -15,7 +22,6 @@ import * as prints from '../model/result/print-of-result.js';
 import type {SolveResult} from '../model/result/result.js';
 import * as searches from '../solver/search/asked-search.js';
 import {drapeSettings, glbOptions, json, title} from './setting-checks.js';
-import {problem} from './argument-checks.js';
 import {drape, filedDesign, garmentDocument, layPlan, print} from './document-checks.js';
 
 /**
@@ -70,7 +76,7 @@ export function printOfResult<P extends Print>(of: SolveResult['print'], own: P)
  * @throws {SolverError} `options` for values that are no problem or no result
  */
 export const chosenProblem = checked(searches.chosenProblem, 'chosenProblem', {
-  problem,
+  problem: readable,
   result: having({print, metrics: having({})}),
 });
 

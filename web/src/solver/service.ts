@@ -20,6 +20,7 @@ import type {
 import type {MeshedPattern, Proof, SolveResult} from '../model/result/result.js';
 import {standingOf} from '../model/result/visible-seams.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/garment/symmetries.js';
+import {checkHooks, checkReadable, requestOf} from './requests/call-checks.js';
 import {
   drapeTexts,
   garmentTexts,
@@ -145,7 +146,9 @@ export abstract class TextService implements SolverService {
   ): Promise<Requests[K]['answer']>;
 
   async solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
+    checkHooks('solve', hooks);
     hooks.signal?.throwIfAborted();
+    checkReadable('solve', problem);
     const search = askedSearch(problem, hooks.names?.options);
     if (!search) return this.#solveOnce(singleProblem(problem, hooks.names?.options), hooks);
     const {bestAnswer} = await import('./search/best-answer.js');
@@ -167,11 +170,15 @@ export abstract class TextService implements SolverService {
   }
 
   async prepare(problem: Problem, hooks: NamedPrepareHooks = {}): Promise<MeshedPattern> {
+    checkHooks('prepare', hooks);
+    checkReadable('prepare', problem);
     const sewn = await withSewnPrint(singleProblem(problem, hooks.names?.options));
     return this.#ask('prepare', () => problemTexts(sewn, hooks.names), hooks);
   }
 
   async prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
+    checkHooks('prove', hooks);
+    checkReadable('prove', problem);
     const sewn = await withSewnPrint(singleProblem(problem, hooks.names?.options));
     return this.#ask('prove', () => problemTexts(sewn, hooks.names), hooks);
   }
@@ -226,7 +233,8 @@ export abstract class TextService implements SolverService {
     request: () => Requests[K]['request'],
     hooks: HooksOf<Requests[K]>,
   ): Promise<Requests[K]['answer']> {
+    checkHooks(kind, hooks);
     hooks.signal?.throwIfAborted();
-    return this.ask(kind, request(), hooks);
+    return this.ask(kind, requestOf(kind, request), hooks);
   }
 }

@@ -1,5 +1,7 @@
 /** Answers requests on the calling thread: queues, modules, and the table of answers. */
+import {checkArguments} from '../../model/base/arguments.js';
 import {SolverError} from '../../model/base/failure.js';
+import type {Read} from '../../model/base/read.js';
 import type {HooksOf, KindOf, RequestKind, RequestKinds} from '../requests/requests.js';
 import {brokenModule, loadingError, unlessAborted} from './failures.js';
 import {
@@ -50,6 +52,8 @@ interface Answering<Q extends RequestKind, Ms extends Modules, N extends keyof M
  */
 export interface AnswerTable<R extends RequestKinds, Ms extends Modules> {
   readonly modules: {readonly [N in keyof Ms]: ModuleLoader<Ms[N]>};
+  /** Checks of the requests, before anything else. */
+  readonly checks: {readonly [K in keyof R]: Read<R[K]['request']>};
   readonly requests: {
     readonly [K in keyof R]: {readonly [N in keyof Ms]: Answering<R[K], Ms, N>}[keyof Ms];
   };
@@ -76,11 +80,12 @@ export class Answerer<R extends RequestKinds, Ms extends Modules> {
   }
 
   /** Answers a request. @throws {SolverError}; the signal's reason, as soon as it fires */
-  answer<K extends KindOf<R>>(
+  async answer<K extends KindOf<R>>(
     kind: K,
     request: R[K]['request'],
     hooks: HooksOf<R[K]>,
   ): Promise<R[K]['answer']> {
+    checkArguments(kind, ['request', request, this.#table.checks[kind]]);
     const answering: Answering<R[K], Ms, keyof Ms> = this.#table.requests[kind];
     const {queue} = answering;
     const work = () => this.#onModule(answering, request, hooks);
