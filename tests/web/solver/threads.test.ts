@@ -248,7 +248,9 @@ it('rejects what can be no message, and hands over nothing with it', async () =>
   const asked = {...request(), odd: () => undefined};
   const transfer = [asked.values.buffer as ArrayBuffer];
   await withClient(async (client) => {
-    await expect(client.ask('halve', asked, {transfer})).rejects.toThrow('cannot be sent to the solver');
+    await expect(client.ask('halve', asked, {transfer})).rejects.toThrow(
+      'cannot be sent to the solver',
+    );
     expect(await client.ask('halve', {values: asked.values}, {})).toEqual({values: halves});
   });
 });
