@@ -1,8 +1,9 @@
 /**
  * Requests to a test module, through all layers of requests to the solver; in Node, over a channel.
  */
-import {beforeEach, expect, it} from 'vitest';
+import {beforeEach, expect, it, vi} from 'vitest';
 
+import {oddValues} from '../../support/odd-values.js';
 import {having} from '@/model/base/arguments.js';
 import {SolverError} from '@/model/base/failure.js';
 import {Answerer, type AnswerTable, type Queue} from '@/solver/answers/answerer.js';
@@ -334,4 +335,30 @@ it('ignores messages of other scripts, and rejects requests that it does not kno
     receive({...asked, job: 3, ...odd});
     expect(posted.splice(0)).toMatchObject([{kind: 'failed', job: 3, failure: {code: 'internal'}}]);
   }
+});
+
+/** Returns whether a value can be sent to another thread. */
+function isSendable(value: unknown): boolean {
+  try {
+    structuredClone(value);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+it('ends each job with an odd name, hooks or request', async () => {
+  const ended: FromThread[] = [];
+  const receive = serve(table, (message) => ended.push(message));
+  const usual = {kind: 'request', name: 'halve', request: {values: [1]}, hooks: [], helpers: 0};
+  let job = 0;
+  for (const value of Object.values(oddValues()).filter(isSendable)) {
+    for (const field of ['name', 'hooks', 'helpers', 'request']) {
+      receive({...usual, job: ++job, [field]: value} as never);
+    }
+  }
+  const isEnd = ({kind}: FromThread) => kind === 'done' || kind === 'failed';
+  await vi.waitFor(() => {
+    expect(ended.filter(isEnd)).toHaveLength(job);
+  });
 });

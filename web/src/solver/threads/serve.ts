@@ -30,8 +30,7 @@ export function serve<R extends RequestKinds, Ms extends Modules>(
 
   const answer = async (message: RequestMessage<R>): Promise<void> => {
     const {job, name, request} = message;
-    const hooksGiven: unknown = message.hooks;
-    if (!Object.hasOwn(table.requests, name) || !isListOfText(hooksGiven)) {
+    if (!isKnown(message, table.requests)) {
       post({kind: 'failed', job, failure: failureOf(unknownRequest(name))}, []);
       return;
     }
@@ -87,6 +86,12 @@ function isMessage(value: unknown): boolean {
   if (kind === 'modules') return isSources(sources);
   return kind !== 'request' || Number.isFinite(job);
 }
+
+/** Returns whether the request is one of the table, with a list of names as its hooks. */
+const isKnown = (message: {readonly name: unknown; readonly hooks: unknown}, requests: object) =>
+  typeof message.name === 'string' &&
+  Object.hasOwn(requests, message.name) &&
+  isListOfText(message.hooks);
 
 const isListOfText = (value: unknown): boolean =>
   Array.isArray(value) &&
