@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "base/random.h"
 #include "drape/turn.h"
 
 namespace seamwise {
@@ -63,6 +64,29 @@ TEST(DrapeForm, HasTheGirthsOfEverySize) {
     EXPECT_NEAR(girth(BodyPart::kLeftLeg, -5), m.thigh, 1e-6);
     EXPECT_NEAR(girth(BodyPart::kLeftLeg, m.waist_height - m.knee_depth - crotch), m.knee, 1e-6);
     EXPECT_NEAR(girth(BodyPart::kRightLeg, 8 - crotch), m.ankle, 1e-6);
+  }
+}
+
+// Bodies of every size, each measurement varied by up to 3 %.
+std::vector<Measures> variedBodies() {
+  std::vector<Measures> bodies;
+  Random random(30);
+  for (const Size& size : kSizes)
+    for (int k = 0; k < 6; ++k) {
+      Measures m = size.measures;
+      for (const MeasureName& name : kMeasureNames) m.*name.value *= 0.97 + 0.06 * random.uniform();
+      bodies.push_back(m);
+    }
+  return bodies;
+}
+
+TEST(DrapeForm, HasTheHipOfABodyWithAndWithoutLegs) {
+  for (const Measures& m : variedBodies()) {
+    const Form form = Form::make(m).value();
+    const double hip = m.waist_height - m.hip_depth;
+    EXPECT_NEAR(form.girthAround(hip, only(BodyPart::kTorso)), m.hip, 0.1);
+    EXPECT_NEAR(form.girthAround(hip, only(BodyPart::kTorso) | kLegs), m.hip, 0.1);
+    EXPECT_NEAR(form.girthAround(m.waist_height, only(BodyPart::kTorso) | kLegs), m.waist, 0.1);
   }
 }
 

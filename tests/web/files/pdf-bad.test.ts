@@ -60,8 +60,31 @@ describe('a PDF', () => {
     const [width, height] = a4;
     const pages = Array.from({length: 6}, () => ({width, height, content}));
     await expect(read(pdfOf(pages))).rejects.toThrow(
-      /^bad\.pdf has more than 180,000 visible points up to page 1/,
+      /^bad\.pdf has more than 260,000 visible points up to page 1/,
     );
+  });
+
+  it('of states that are saved and never restored is refused', async () => {
+    const [width, height] = a4;
+    const content = 'q 1 0 0 1 0 0 cm\n'.repeat(200_000);
+    await expect(read(pdfOf([{width, height, content}]))).rejects.toThrow(
+      /^bad\.pdf has more than 2,000 nested groups up to page 1/,
+    );
+  });
+
+  it('with a piece and tens of thousands of lines at one place is read', async () => {
+    const [width, height] = a4;
+    const rays = Array.from(
+      {length: 40_000},
+      (_, k) => `100 140 m ${100 + 90 * Math.cos(k)} ${140 + 90 * Math.sin(k)} l S`,
+    ).join('\n');
+    const {pieces} = await read(pdfOf([{width, height, content: `${rays}\n5 5 60 60 re S`}]));
+    expect(pieces.map(({sewn}) => sewn.map(({start}) => start.map(Math.round)))).toContainEqual([
+      [5, -292],
+      [65, -292],
+      [65, -232],
+      [5, -232],
+    ]);
   });
 
   it('of forms that draw each other millions of times is refused', async () => {

@@ -25,9 +25,8 @@ constexpr double kAroundTorso = 5;
 // counts below the share kOfLegs of the hip depth. form_shape.cpp defines the distance between the
 // legs. [1, cm, 1]
 constexpr double kAroundLegs = 1.61, kApart = 3.2, kOfLegs = 0.6;
-constexpr double kLeastRise = 18;  ///< cm, minimum body rise
-// Distance of a neckline from the neck, and of the lowest skirt rings below the torso tube. [cm]
-constexpr double kBesideNeck = 4, kUnderHips = 12;
+constexpr double kLeastRise = 18;    ///< cm, minimum body rise
+constexpr double kBesideNeck = 4;    ///< cm, distance of a neckline from the neck
 constexpr double kTightEnough = 12;  ///< cm, missing girth over all levels that ends the search
 constexpr double kOfRise = 6;        ///< weight of 1 cm of missing body rise in that sum
 constexpr int kSteps = 4;            ///< steps between neighbouring sizes
@@ -266,13 +265,10 @@ class Fitting {
   // Calls use(level, missing girth) for each ring around a part of the form.
   template <class Use>
   void forRings(const Form& form, BodyPart part, double lift, double ease, const Use& use) const {
-    const Tube& tube = form.tube(part);
     const bool arm = only(part) & kArms, torso = part == BodyPart::kTorso;
+    const Tube& tube = torso ? form.torso(garment_.hasLegs()) : form.tube(part);
     for (const WornGirth& ring : garment_.girths(part)) {
-      double level = arm ? ring.height : ring.height + lift - tube.axis().origin.y();
-      // Skirts enclose both legs, so rings just below the torso tube count at its bottom.
-      if (torso && !garment_.hasLegs() && level > tube.bottom() - kUnderHips)
-        level = std::max(level, tube.bottom());
+      const double level = arm ? ring.height : ring.height + lift - tube.axis().origin.y();
       if (level < tube.bottom() || level > tube.top()) continue;
       // The top edge of a garment without shoulders covers several heights.
       if (torso && !garment_.hasShoulders() && ring.height > garment_.topLow() - 1) continue;

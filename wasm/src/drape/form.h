@@ -44,6 +44,10 @@ class Form {
   double distance(const Vec3& p, Vec3* gradient) const { return distance(p, kWholeBody, gradient); }
 
   const Tube& tube(BodyPart part) const { return tubes_[static_cast<int>(part)]; }
+  /// Returns the torso as it ends with legs below it, or without them.
+  const Tube& torso(bool has_legs) const { return has_legs ? over_legs_ : tubes_.front(); }
+  /// Returns the length of a tape around a level section of `parts`. [cm]
+  double girthAround(double height, BodyParts parts) const;
   const Measures& measures() const { return measures_; }
   double crotchHeight() const { return measures_.waist_height - measures_.body_rise; }  ///< cm
   double napeHeight() const { return measures_.waist_height + measures_.back_length; }  ///< cm
@@ -51,8 +55,10 @@ class Form {
 
  private:
   explicit Form(const Measures& measures);
+  void widenLegs();
 
   Measures measures_;
+  Tube over_legs_;
   std::vector<Tube> tubes_;  ///< indexed by BodyPart
 };
 

@@ -1,6 +1,8 @@
 // Construction of a form from its measurements; form.cpp computes distances from it.
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "drape/form.h"
 #include "drape/turn.h"
@@ -16,8 +18,9 @@ double between(double share, double from, double to) { return from + share * (to
 Axis upright(const Vec3& origin) { return {origin, Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY()}; }
 
 // Half widths, half depths and middles follow a scanned average body (GarmentCode's mean_all),
-// smoothed and with a woman's waist. Girths come from the measurements.
-Tube torso(const Measures& m) {
+// smoothed and with a woman's waist. Girths come from the measurements. The rounding of the lower
+// end begins below the hip, unless legs continue the torso.
+Tube torsoOf(const Measures& m, bool has_legs) {
   const double up = m.back_length, down = m.hip_depth;
   const Section chest{0.45 * up, 16.8, 12.6, 0.1, 0.2};
   const double broad = m.bust / chest.girth();
@@ -41,7 +44,8 @@ Tube torso(const Measures& m) {
   const double neck = m.neck / (2 * kPi) + 1, rise = (kShoulderDrop + 0.012) * up;
   const double slope = rise / (tip - neck);
   const double ridge = (1 - kShoulderDrop) * up + slope * (std::sqrt(tip * tip + 16) - 4);
-  return {upright({0, m.waist_height, 0}), sections, {-m.body_rise + 3, 0, 9}, {ridge, slope, 5}};
+  const TubeEnd bottom{has_legs ? -m.body_rise + 3 : -down - 9, 0, 9};
+  return {upright({0, m.waist_height, 0}), sections, bottom, {ridge, slope, 5}};
 }
 
 Tube neck(const Measures& m) {
@@ -78,9 +82,11 @@ Tube arm(const Measures& m, const Vec3& shoulder, double side) {
       {1.1 * r, 0, 1.4 * r}};
 }
 
-// Leg from the hip joint to the ankle; level 0 is the crotch.
-Tube leg(const Measures& m, double side) {
+// Leg from above the hip to the ankle, with a given girth at the level of the hip; level 0 is the
+// crotch.
+Tube leg(const Measures& m, double girth_at_hip, double side) {
   const double crotch = m.waist_height - m.body_rise, knee = m.waist_height - m.knee_depth;
+  const double hip = std::max(m.waist_height - m.hip_depth, crotch - 2);
   const double apart = 0.152 * m.thigh + 1;
   const auto ring = [&](double height, double middle, double girth) {
     return Section{height - crotch, 1, 1, middle, 0}.withGirth(girth);
@@ -88,9 +94,10 @@ Tube leg(const Measures& m, double side) {
   return {upright({side * apart, crotch, 0}),
           {ring(0, -2.5, m.ankle), ring(8, -2.5, m.ankle), ring(0.62 * knee, -2.8, 0.92 * m.knee),
            ring(knee, -1.4, m.knee), ring(between(0.5, knee, crotch), -0.8, 0.84 * m.thigh),
-           ring(crotch - 5, -1, m.thigh), ring(crotch + 12, -1, m.thigh)},
+           ring(crotch - 5, -1, m.thigh), ring(hip, -1, girth_at_hip),
+           ring(hip + 10, -1, 0.85 * girth_at_hip), ring(hip + 25, -1, 0.85 * girth_at_hip)},
           {3 - crotch, 0, 3},
-          {8, 0, 5}};
+          {hip - crotch + 6, 0, 5}};
 }
 
 // Egg-shaped head, for hoods.
@@ -108,15 +115,39 @@ Tube head(const Measures& m) {
 
 }  // namespace
 
-Form::Form(const Measures& measures) : measures_(measures) {
+Form::Form(const Measures& measures) : measures_(measures), over_legs_(torsoOf(measures, true)) {
   const Vec3 shoulder = shoulderPoint();
-  tubes_ = {torso(measures),
+  tubes_ = {torsoOf(measures, false),
             neck(measures),
             arm(measures, shoulder, 1),
             arm(measures, shoulder, -1),
-            leg(measures, 1),
-            leg(measures, -1),
+            leg(measures, measures.thigh, 1),
+            leg(measures, measures.thigh, -1),
             head(measures)};
+  widenLegs();
+}
+
+// Finds the girth of the legs with which legs and torso have the girth of the hip, by the secant
+// method: it is almost linear.
+void Form::widenLegs() {
+  const double height = measures_.waist_height - measures_.hip_depth;
+  const auto missing = [&](double girth) {
+    tubes_[static_cast<int>(BodyPart::kLeftLeg)] = leg(measures_, girth, 1);
+    tubes_[static_cast<int>(BodyPart::kRightLeg)] = leg(measures_, girth, -1);
+    return measures_.hip - girthAround(height, only(BodyPart::kTorso) | kLegs);
+  };
+  constexpr int kSteps = 4;
+  constexpr double kAlmost = 0.05;  // cm
+  const double least = 0.7 * measures_.thigh, most = 1.8 * measures_.thigh;
+  double before = measures_.thigh, now = 1.15 * measures_.thigh;
+  double missing_before = missing(before), missing_now = missing(now);
+  for (int step = 0; step < kSteps && std::abs(missing_now) > kAlmost; ++step) {
+    const double slope = (missing_now - missing_before) / (now - before);
+    if (std::abs(slope) < 1e-3) break;
+    before = std::exchange(now, std::clamp(now - missing_now / slope, least, most));
+    if (before == now) break;
+    missing_before = std::exchange(missing_now, missing(now));
+  }
 }
 
 Vec3 Form::shoulderPoint() const {

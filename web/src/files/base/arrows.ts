@@ -1,6 +1,7 @@
 /** Finds arrows: straight lines with a head at one end or both, as grain lines are drawn. [mm] */
 import {cross, distance, dot, minus, unit, type Point} from '../../model/geometry/vectors.js';
 import {boxOf} from '../../model/geometry/polyline.js';
+import {PointGrid} from './point-grid.js';
 
 interface DrawnLine {
   readonly points: readonly Point[];
@@ -18,11 +19,17 @@ const touching = 0.8;
 /** Greatest deviation of an arrow from a straight line. */
 const straightness = 0.2;
 
-/** A line with a head. */
-interface Arrow<T> {
+/** An end of a straight line, which may be the tip of an arrow. */
+interface Tip<T> {
   readonly line: T;
-  readonly heads: readonly T[];
+  readonly at: Point;
+  /** Direction towards the tip. */
+  readonly along: Point;
+  readonly heads: Set<T>;
 }
+
+/** Greatest number of tips in one place; more are those of rays or hatching. */
+const mostTips = 20;
 
 function isStraightLine({points, isClosed}: DrawnLine): boolean {
   const [from, to] = [points[0], points.at(-1)];
@@ -73,45 +80,48 @@ function inOnePath<T extends DrawnLine>(line: T): T | undefined {
   return isArrow ? {...line, points: [from, to], isClosed: false} : undefined;
 }
 
+/** The ends of straight lines, with the heads that are drawn there. */
+function tipsOf<T extends DrawnLine>(lines: readonly T[]): readonly Tip<T>[] {
+  const tips = lines.filter(isStraightLine).flatMap((line): Tip<T>[] => {
+    const [from, to]: [Point, Point] = [line.points[0] ?? [0, 0], line.points.at(-1) ?? [0, 0]];
+    return [
+      {line, at: to, along: unit(minus(to, from)), heads: new Set()},
+      {line, at: from, along: unit(minus(from, to)), heads: new Set()},
+    ];
+  });
+  const grid = new PointGrid<Tip<T>>(touching);
+  for (const tip of tips) grid.add(tip.at, tip);
+  for (const line of lines.filter(isSmall)) {
+    for (const point of line.points) {
+      const cells = grid.around(point);
+      if (cells.reduce((sum, {length}) => sum + length, 0) > mostTips) continue;
+      for (const {at, along, heads} of cells.flat()) {
+        if (!heads.has(line) && isHead(line, at, along)) heads.add(line);
+      }
+    }
+  }
+  return tips;
+}
+
 /** Divides lines into arrows and others; heads of arrows are in neither. */
 export function arrowsIn<T extends DrawnLine>(
   lines: readonly T[],
 ): {readonly arrows: readonly T[]; readonly rest: readonly T[]} {
-  const small = lines.filter(isSmall);
-  const cells = new Map<string, T[]>();
-  const keyOf = (x: number, y: number): string => `${Math.round(x / 10)} ${Math.round(y / 10)}`;
-  for (const line of small) {
-    for (const key of new Set(line.points.map(([x, y]) => keyOf(x, y)))) {
-      cells.set(key, [...(cells.get(key) ?? []), line]);
-    }
-  }
-  const near = ([x, y]: Point): T[] => [
-    ...new Set(
-      [-10, 0, 10].flatMap((dx) =>
-        [-10, 0, 10].flatMap((dy) => cells.get(keyOf(x + dx, y + dy)) ?? []),
-      ),
-    ),
-  ];
-  const found = lines.filter(isStraightLine).flatMap((line): Arrow<T>[] => {
-    const [from, to]: [Point, Point] = [line.points[0] ?? [0, 0], line.points.at(-1) ?? [0, 0]];
-    const along = unit(minus(to, from));
-    const back: Point = [-along[0], -along[1]];
-    const ahead = near(to).filter((one) => isHead(one, to, along));
-    const behind = near(from).filter((one) => isHead(one, from, back));
-    const heads = [...ahead, ...behind];
-    const isArrow = isTwoSided(ahead, to, along) || isTwoSided(behind, from, along);
-    return isArrow ? [{line, heads}] : [];
-  });
+  const tips = tipsOf(lines).filter(({heads}) => heads.size > 0);
+  const pointed = new Set(
+    tips.flatMap(({line, at, along, heads}) => (isTwoSided([...heads], at, along) ? [line] : [])),
+  );
   const whole = lines.flatMap((line) => {
     const arrow = inOnePath(line);
     return arrow ? [{line, arrow}] : [];
   });
   const used = new Set([
-    ...found.flatMap(({line, heads}) => [line, ...heads]),
+    ...pointed,
+    ...tips.flatMap(({line, heads}) => (pointed.has(line) ? [...heads] : [])),
     ...whole.map(({line}) => line),
   ]);
   return {
-    arrows: [...found.map(({line}) => line), ...whole.map(({arrow}) => arrow)],
+    arrows: [...pointed, ...whole.map(({arrow}) => arrow)],
     rest: lines.filter((line) => !used.has(line)),
   };
 }

@@ -68,23 +68,25 @@ export const isLine = (run: Run, tolerance: number): boolean =>
   run.cubics.flat().every((point) => isStraight([run.start, point, point, endOf(run)], tolerance));
 
 /**
- * Points along a curve without its start; the lines between them are within a tolerance of the
- * curve.
+ * Adds the points along a curve without its start; the lines between them are within a tolerance of
+ * the curve.
  */
-function traced(cubic: Cubic, tolerance: number): Point[] {
+function trace(cubic: Cubic, tolerance: number, points: Point[]): void {
   const [a, b, c, d] = cubic;
   const bend = Math.max(norm(plus(minus(a, b), minus(c, b))), norm(plus(minus(b, c), minus(d, c))));
   const steps = Math.min(200, Math.max(1, Math.ceil(Math.sqrt((0.75 * bend) / tolerance))));
-  return Array.from({length: steps}, (_, k) =>
-    k === steps - 1 ? d : pointAt(cubic, (k + 1) / steps),
-  );
+  for (let k = 1; k < steps; k++) points.push(pointAt(cubic, k / steps));
+  points.push(d);
 }
 
 /** Points along a run, from start to end. */
-export const tracedRun = (run: Run, tolerance: number): Point[] => [
-  run.start,
-  ...cubicsOf(run).flatMap((cubic) => traced(cubic, tolerance)),
-];
+export function tracedRun({start, cubics}: Run, tolerance: number): Point[] {
+  const points = [start];
+  for (const [first, second, end] of cubics) {
+    trace([points.at(-1) ?? start, first, second, end], tolerance, points);
+  }
+  return points;
+}
 
 /** Points along a closed line, without repeating the first. */
 export const tracedLoop = (loop: readonly Run[], tolerance: number): Point[] =>

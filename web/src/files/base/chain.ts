@@ -34,8 +34,21 @@ export const turnedStretch = (stretch: Stretch): Stretch => ({
 });
 
 /** Points along a chain. */
-export const pointsOfChain = ({stretches}: Chain): Point[] =>
-  stretches.flatMap(({points}, k) => (k === 0 ? points : points.slice(1)));
+export function pointsOfChain({stretches: [first, ...others]}: Chain): readonly Point[] {
+  if (others.length === 0) return first?.points ?? [];
+  return [first?.points ?? [], ...others.map(({points}) => points.slice(1))].flat();
+}
+
+/** Sorts chains by the least number of their lines. */
+export function sortedByFirst<T>(
+  chains: readonly T[],
+  numbersOf: (chain: T) => readonly number[],
+): T[] {
+  return chains
+    .map((chain) => ({chain, first: numbersOf(chain).reduce((a, b) => Math.min(a, b), Infinity)}))
+    .sort((a, b) => a.first - b.first)
+    .map(({chain}) => chain);
+}
 
 /** The exact curves of a chain. */
 export function runOfChain(chain: Chain): Run {

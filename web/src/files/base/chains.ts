@@ -6,6 +6,7 @@ import {distance, type Point} from '../../model/geometry/vectors.js';
 import {lengthOf} from '../../model/geometry/polyline.js';
 import {
   pointsOfChain,
+  sortedByFirst,
   startOf,
   tipOf,
   turnedStretch,
@@ -40,10 +41,8 @@ export function chainsOf(lines: readonly OpenLine[], reach: number): Chain[] {
   return inOrder([...closed, ...outlines, ...passed(others, reach, false)]);
 }
 
-const inOrder = (chains: readonly Chain[]): Chain[] => {
-  const first = ({stretches}: Chain): number => Math.min(...stretches.map(({id}) => id));
-  return [...chains].sort((a, b) => first(a) - first(b));
-};
+const inOrder = (chains: readonly Chain[]): Chain[] =>
+  sortedByFirst(chains, ({stretches}) => stretches.map(({id}) => id));
 
 const turned = (chain: Chain): Chain => ({
   ...chain,
@@ -64,7 +63,7 @@ function passed(chains: readonly Chain[], reach: number, isClear: boolean): Chai
     if (first.isClosed) return [first];
     const chain = new GrowingChain(first, reach);
     for (let turn = 0; turn < 2 && chain.isOpen(); turn++) {
-      while (!(isClear && ends.countAt(chain.tip) !== 2) && !chain.close()) {
+      while (!(isClear && ends.countAt(chain.tip, 3) !== 2) && !chain.close()) {
         const next = ends.next(chain.tip);
         const other = next && chains[next.line];
         if (!other) break;
@@ -76,42 +75,53 @@ function passed(chains: readonly Chain[], reach: number, isClear: boolean): Chai
   });
 }
 
+/** A stretch of a growing chain. */
+interface Part {
+  readonly stretch: Stretch;
+  readonly isTurned: boolean;
+}
+
+const unturned = (stretch: Stretch): Part => ({stretch, isTurned: false});
+
 /** A chain while lines are added at its tip. */
 class GrowingChain {
   readonly #reach: number;
   #isClosed = false;
-  #stretches: Stretch[];
+  /** Stretches in order, which are turned only once the chain is whole. */
+  #parts: Part[];
   #gap: Chain['gap'];
   #length: number;
 
   constructor({stretches, gap}: Chain, reach: number) {
     this.#reach = reach;
-    this.#stretches = [...stretches];
+    this.#parts = stretches.map(unturned);
     this.#gap = gap;
     this.#length = wayOf(stretches);
   }
 
   get tip(): Point {
-    return this.#stretches.at(-1)?.points.at(-1) ?? [0, 0];
+    const last = this.#parts.at(-1);
+    return last?.stretch.points.at(last.isTurned ? 0 : -1) ?? [0, 0];
   }
 
   get #start(): Point {
-    return this.#stretches[0]?.points[0] ?? [0, 0];
+    const [first] = this.#parts;
+    return first?.stretch.points.at(first.isTurned ? -1 : 0) ?? [0, 0];
   }
 
   add({stretches, gap}: Chain): void {
     const [first] = stretches;
     this.#widen({width: distance(this.tip, first?.points[0] ?? this.tip), at: this.tip});
     this.#widen(gap);
-    for (const one of stretches) this.#stretches.push(one);
+    for (const one of stretches) this.#parts.push(unturned(one));
     this.#length += wayOf(stretches);
   }
 
   /** Closes the chain if its ends meet and it is longer than the gap between them. */
   close(): boolean {
     const width = distance(this.#start, this.tip);
-    const [only, ...more] = this.#stretches;
-    const isLine = more.length === 0 && (only?.points.length ?? 0) < 4;
+    const [only] = this.#parts;
+    const isLine = this.#parts.length === 1 && (only?.stretch.points.length ?? 0) < 4;
     if (width > this.#reach || this.#length <= 4 * this.#reach || isLine) return false;
     this.#widen({width, at: this.tip});
     this.#isClosed = true;
@@ -123,11 +133,15 @@ class GrowingChain {
   }
 
   turn(): void {
-    this.#stretches = this.#stretches.map(turnedStretch).reverse();
+    this.#parts.reverse();
+    this.#parts = this.#parts.map(({stretch, isTurned}) => ({stretch, isTurned: !isTurned}));
   }
 
   result(): Chain {
-    return {stretches: this.#stretches, isClosed: this.#isClosed, gap: this.#gap};
+    const stretches = this.#parts.map(({stretch, isTurned}) =>
+      isTurned ? turnedStretch(stretch) : stretch,
+    );
+    return {stretches, isClosed: this.#isClosed, gap: this.#gap};
   }
 
   #widen(gap: Chain['gap']): void {

@@ -56,9 +56,10 @@ export function runsOf(loop: Run, joints: readonly Point[] = []): Run[] {
   const [first = 0] = corners;
   const opposite = (first + Math.floor(cubics.length / 2)) % cubics.length;
   const cuts = corners.length > 1 ? corners : [first, opposite].sort((a, b) => a - b);
+  const twice = [...cubics, ...cubics];
   return cuts.map((cut, k) => {
     const next = cuts[k + 1] ?? (cuts[0] ?? 0) + cubics.length;
-    return runThrough([...cubics, ...cubics].slice(cut, next));
+    return runThrough(twice.slice(cut, next));
   });
 }
 

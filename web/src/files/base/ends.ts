@@ -1,5 +1,6 @@
 /** Open lines indexed by their ends. */
 import {distance, type Point} from '../../model/geometry/vectors.js';
+import {PointGrid} from './point-grid.js';
 
 interface NextLine {
   /** Index of the line. */
@@ -8,26 +9,32 @@ interface NextLine {
   readonly isTurned: boolean;
 }
 
+interface LineEnd extends NextLine {
+  readonly at: Point;
+}
+
+/** Ends within this share of the greatest gap lie at one place. */
+const samePlace = 1 / 30;
+
 export class Ends {
-  readonly #ends: readonly (readonly Point[])[];
   readonly #left: Set<number>;
-  readonly #cells = new Map<string, number[]>();
+  readonly #grid: PointGrid<LineEnd>;
   readonly #reach: number;
+  /** Number of ends at the beginning of a cell whose lines are removed. */
+  readonly #removed = new Map<readonly LineEnd[], number>();
 
   /**
    * @param ends first and last point of each line; empty for closed lines
    * @param reach greatest gap between ends that meet
    */
   constructor(ends: readonly (readonly Point[])[], reach: number) {
-    this.#ends = ends;
     this.#reach = reach;
     this.#left = new Set(ends.keys());
-    ends.forEach((both, k) => {
-      for (const key of new Set(both.map((end) => this.#keyOf(end)))) {
-        const cell = this.#cells.get(key);
-        if (cell) cell.push(k);
-        else this.#cells.set(key, [k]);
-      }
+    this.#grid = new PointGrid(reach);
+    ends.forEach((both, line) => {
+      both.forEach((at, k) => {
+        this.#grid.add(at, {at, line, isTurned: k === 1});
+      });
     });
   }
 
@@ -38,40 +45,37 @@ export class Ends {
 
   /** Removes and returns the line with the end nearest to a point, of several the first. */
   next(point: Point): NextLine | undefined {
-    let best: (NextLine & {readonly off: number}) | undefined;
-    for (const line of this.#near(point)) {
-      if (!this.#left.has(line)) continue;
-      (this.#ends[line] ?? []).forEach((end, k) => {
-        const off = distance(end, point);
-        const isBetter = !best || off < best.off || (off === best.off && line < best.line);
-        if (off <= this.#reach && isBetter) best = {line, isTurned: k === 1, off};
-      });
+    let best: (LineEnd & {readonly off: number}) | undefined;
+    for (const cell of this.#grid.around(point)) {
+      for (let k = this.#firstOf(cell); k < cell.length; k++) {
+        const end = cell[k];
+        if (!end || !this.#left.has(end.line)) continue;
+        const off = distance(end.at, point);
+        const isBetter = !best || off < best.off || (off === best.off && end.line < best.line);
+        if (off <= this.#reach && isBetter) best = {...end, off};
+        if (off <= samePlace * this.#reach) break;
+      }
     }
     if (best) this.#left.delete(best.line);
     return best;
   }
 
-  /** Number of ends at a point, including those of removed lines. */
-  countAt(point: Point): number {
+  /** Number of ends at a point, including those of removed lines, up to a greatest number. */
+  countAt(point: Point, most: number): number {
     let count = 0;
-    for (const line of this.#near(point)) {
-      for (const end of this.#ends[line] ?? []) if (distance(end, point) <= this.#reach) count++;
+    for (const cell of this.#grid.around(point)) {
+      for (const {at} of cell) {
+        if (distance(at, point) <= this.#reach && ++count === most) return count;
+      }
     }
     return count;
   }
 
-  #near([x, y]: Point): Set<number> {
-    const [column, row] = [Math.floor(x / this.#reach), Math.floor(y / this.#reach)];
-    const found = new Set<number>();
-    for (const i of [column - 1, column, column + 1]) {
-      for (const j of [row - 1, row, row + 1]) {
-        for (const line of this.#cells.get(`${i} ${j}`) ?? []) found.add(line);
-      }
-    }
-    return found;
-  }
-
-  #keyOf([x, y]: Point): string {
-    return `${Math.floor(x / this.#reach)} ${Math.floor(y / this.#reach)}`;
+  /** The index of the first end in a cell whose line is left. */
+  #firstOf(cell: readonly LineEnd[]): number {
+    let first = this.#removed.get(cell) ?? 0;
+    for (let end = cell[first]; end && !this.#left.has(end.line); end = cell[first]) first++;
+    this.#removed.set(cell, first);
+    return first;
   }
 }

@@ -4,9 +4,8 @@
  * cannot divide.
  */
 import {angleOf, distance, minus, type Point} from '../../model/geometry/vectors.js';
-import {boxOf} from '../../model/geometry/polyline.js';
 import {startOf, tipOf, turnedStretch, pointsOfChain, type Chain, type Stretch} from './chain.js';
-import {nearestOn} from '../../model/geometry/nearest.js';
+import {gridOfPoints, PointGrid, pointsOnLine} from './point-grid.js';
 
 interface NetEdge {
   readonly from: number;
@@ -25,15 +24,24 @@ interface NetParts {
 /** Greatest number of lines of a net; larger ones are drawings of something else. */
 const mostLines = 2000;
 
+/** Greatest number of parts into which those lines divide each other. */
+const mostParts = 4000;
+
 /**
  * Divides open chains into outlines and other lines.
  * @param reach greatest gap between ends that meet
  */
 export function outlinesOfNet(chains: readonly Chain[], reach: number): NetParts {
-  if (chains.length > mostLines) return {outlines: [], others: chains, isNet: false};
+  const none: NetParts = {outlines: [], others: chains, isNet: false};
+  if (chains.length > mostLines) return none;
   const nodes = new Nodes(reach);
-  const ends = chains.flatMap((chain) => [startOf(chain), tipOf(chain)]);
-  const split = chains.flatMap((chain) => splitAtEnds(chain, ends, reach));
+  const ends = chains.flatMap((chain) => [{at: startOf(chain)}, {at: tipOf(chain)}]);
+  const grid = gridOfPoints(ends, reach);
+  const split: Chain[] = [];
+  for (const chain of chains) {
+    for (const part of splitAtEnds(chain, grid, reach)) split.push(part);
+    if (split.length > mostParts) return none;
+  }
   const edges = split.map((chain): NetEdge => ({
     from: nodes.at(startOf(chain)),
     to: nodes.at(tipOf(chain)),
@@ -46,7 +54,7 @@ export function outlinesOfNet(chains: readonly Chain[], reach: number): NetParts
       new Map<number, number>(),
     );
   const isNet = [...degrees.values()].some((degree) => degree > 2);
-  if (!isNet) return {outlines: [], others: chains, isNet};
+  if (!isNet) return none;
   const used = new Set<NetEdge>();
   const outlines = blocksOf(edges).flatMap((block): Chain[] => {
     const outer = outerFace(block);
@@ -68,51 +76,39 @@ export function outlinesOfNet(chains: readonly Chain[], reach: number): NetParts
 /** Assigns one number to all ends at one place. */
 class Nodes {
   readonly #reach: number;
-  readonly #cells = new Map<string, {readonly at: Point; readonly node: number}[]>();
+  readonly #grid: PointGrid<{readonly at: Point; readonly node: number}>;
   #count = 0;
 
   constructor(reach: number) {
     this.#reach = reach;
+    this.#grid = new PointGrid(reach);
   }
 
   at(point: Point): number {
-    const [column, row] = point.map((one) => Math.floor(one / this.#reach)) as [number, number];
-    for (const i of [column - 1, column, column + 1]) {
-      for (const j of [row - 1, row, row + 1]) {
-        const found = this.#cells
-          .get(`${i} ${j}`)
-          ?.find(({at}) => distance(at, point) <= this.#reach);
-        if (found) return found.node;
-      }
+    for (const cell of this.#grid.around(point)) {
+      const found = cell.find(({at}) => distance(at, point) <= this.#reach);
+      if (found) return found.node;
     }
-    const key = `${column} ${row}`;
     const node = this.#count++;
-    this.#cells.set(key, [...(this.#cells.get(key) ?? []), {at: point, node}]);
+    this.#grid.add(point, {at: point, node});
     return node;
   }
 }
 
 /** The parts of a chain between the places where ends of others meet it. */
-function splitAtEnds(chain: Chain, all: readonly Point[], reach: number): Chain[] {
+function splitAtEnds(chain: Chain, ends: PointGrid<{readonly at: Point}>, reach: number): Chain[] {
   const line = pointsOfChain(chain);
-  const {low, high} = boxOf(line);
-  const isInBox = (p: Point): boolean =>
-    [0, 1].every(
-      (k) => (p[k] ?? 0) >= (low[k] ?? 0) - reach && (p[k] ?? 0) <= (high[k] ?? 0) + reach,
-    );
   const isInner = (p: Point): boolean =>
     distance(p, startOf(chain)) > reach && distance(p, tipOf(chain)) > reach;
-  const cuts = all
-    .filter((end) => isInBox(end) && isInner(end))
-    .map((end) => nearestOn(line, end, false))
-    .filter(({off}) => off <= reach)
-    .map(({at, step}) => ({at, step, along: distance(line[step] ?? at, at)}))
+  const cuts = [...pointsOnLine(line, false, ends, reach)]
+    .filter(([end]) => isInner(end.at))
+    .map(([, {at, step}]) => ({at, step, along: distance(line[step] ?? at, at)}))
     .sort((a, b) => a.step - b.step || a.along - b.along);
   if (cuts.length === 0) return [chain];
   const id = chain.stretches[0]?.id ?? 0;
-  const ends = [...cuts, {at: tipOf(chain), step: line.length - 2}];
+  const stops = [...cuts, {at: tipOf(chain), step: line.length - 2}];
   let [from, next] = [startOf(chain), 1];
-  return ends.flatMap(({at, step}): Chain[] => {
+  return stops.flatMap(({at, step}): Chain[] => {
     const points = [from, ...line.slice(next, step + 1), at].filter(
       (p, k, all) => k === 0 || distance(p, all[k - 1] ?? p) > 0,
     );
@@ -168,7 +164,7 @@ function blocksOf(edges: readonly NetEdge[]): NetEdge[][] {
   return blocks;
 }
 
-const pointsOfEdge = ({stretches}: NetEdge): Point[] =>
+const pointsOfEdge = ({stretches}: NetEdge): readonly Point[] =>
   pointsOfChain({stretches, isClosed: false, gap: {width: 0, at: [0, 0]}});
 
 /** The edges around a block in order, and whether each is turned. */
@@ -187,10 +183,12 @@ function outerFace(block: readonly NetEdge[]): Map<NetEdge, boolean> {
   if (!first) return face;
   const begin = firstStep(first, block, heading);
   const startNode = begin.isTurned ? begin.edge.to : begin.edge.from;
-  for (let {edge, isTurned} = begin; ;) {
+  // where edges leave a node in one direction, the way may circle beside its start
+  let {edge, isTurned} = begin;
+  for (let step = 0; step < 2 * block.length; step++) {
     face.set(edge, isTurned);
     const node = isTurned ? edge.from : edge.to;
-    if (node === startNode || face.size >= block.length) return face;
+    if (node === startNode) return face;
     const back = heading(edge, !isTurned);
     const next = leavingAt(node, block)
       .filter((one) => one.edge !== edge)
@@ -199,6 +197,7 @@ function outerFace(block: readonly NetEdge[]): Map<NetEdge, boolean> {
     if (!next) return face;
     ({edge, isTurned} = next);
   }
+  return face;
 }
 
 interface Step {

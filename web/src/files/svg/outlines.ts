@@ -2,8 +2,8 @@
 import type {Run} from '../../model/garment/imported-drawing.js';
 import type {Point} from '../../model/geometry/vectors.js';
 import {signedArea} from '../../model/geometry/polyline.js';
-import {tracedRun} from '../base/bezier.js';
-import {runOfChain} from '../base/chain.js';
+import {straight, tracedRun} from '../base/bezier.js';
+import {runOfChain, sortedByFirst} from '../base/chain.js';
 import {chainsOf} from '../base/chains.js';
 import {traceTolerance} from '../base/edges.js';
 import type {Line} from './lines.js';
@@ -17,6 +17,20 @@ export function pointsOf(line: Run): readonly Point[] {
   const points = tracedRun(line, traceTolerance);
   traced.set(line, points);
   return points;
+}
+
+/** A line of straight segments, whose curves are made only where they are needed. */
+export function straightLine(points: readonly Point[], isClosed: boolean): Line {
+  const [start = [0, 0]] = points;
+  const all = isClosed ? [...points, start] : points;
+  const line: Line = {
+    ...{start, isClosed},
+    get cubics() {
+      return all.slice(1).map((to, k) => straight(all[k] ?? start, to));
+    },
+  };
+  traced.set(line, all);
+  return line;
 }
 
 /** Points of a closed line without repeating the first. */
@@ -46,14 +60,17 @@ export function chained(lines: readonly Line[]): Chain[] {
   const joined = chainsOf(
     open.map(({line}) => ({points: pointsOf(line), run: line})),
     reach,
-  ).map((chain): Chain => ({
-    line: {...runOfChain(chain), isClosed: chain.isClosed},
-    parts: chain.stretches.map(({id}) => open[id]?.k ?? 0),
-    gap: chain.gap,
-  }));
+  ).map((chain): Chain => {
+    const {isClosed, stretches, gap} = chain;
+    const parts = stretches.map(({id}) => open[id]?.k ?? 0);
+    const [part = 0] = parts;
+    const only = lines[part];
+    const isWhole =
+      !isClosed && stretches.length === 1 && only && stretches[0]?.points === pointsOf(only);
+    return {line: isWhole ? only : {...runOfChain(chain), isClosed}, parts, gap};
+  });
   const whole = lines.flatMap((line, k): Chain[] =>
     line.isClosed ? [{line, parts: [k], gap: {width: 0, at: line.start}}] : [],
   );
-  const first = ({parts}: Chain): number => Math.min(...parts);
-  return [...whole, ...joined].sort((a, b) => first(a) - first(b));
+  return sortedByFirst([...whole, ...joined], ({parts}) => parts);
 }

@@ -3,7 +3,7 @@ import {between, cross, distance, dot, minus, nearestShare, unit, type Point} fr
 
 /** Length of the line through points. */
 export const lengthOf = (line: readonly Point[]): number =>
-  line.slice(1).reduce((sum, to, k) => sum + distance(line[k] ?? to, to), 0);
+  line.reduce((sum, to, k) => sum + distance(line[k - 1] ?? to, to), 0);
 
 /** Area within a closed line, positive when the line runs counter-clockwise. [cm2] */
 export const signedArea = (loop: readonly Point[]): number =>

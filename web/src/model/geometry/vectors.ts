@@ -34,8 +34,9 @@ export const middle = (a: Point, b: Point): Point => [(a[0] + b[0]) / 2, (a[1] +
 
 /** The share of the way from `a` to `b`, from 0 to 1, at which the point is nearest to `p`. */
 export function nearestShare(a: Point, b: Point, p: Point): number {
-  const way = minus(b, a);
-  return Math.max(0, Math.min(1, dot(minus(p, a), way) / (dot(way, way) || 1)));
+  const [x, y] = [b[0] - a[0], b[1] - a[1]];
+  const share = ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / (x * x + y * y || 1);
+  return Math.max(0, Math.min(1, share));
 }
 
 /** Turns a vector counter-clockwise by a quarter turn, exactly. */

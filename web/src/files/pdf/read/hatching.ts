@@ -24,7 +24,7 @@ export function withoutHatching(lines: readonly InkLine[]): {
   const alone = new Set(
     lines.filter(
       (line) =>
-        lengthOf(line.points) <= short && endsOf(line).every((end) => ends.countAt(end) <= 1),
+        lengthOf(line.points) <= short && endsOf(line).every((end) => ends.countAt(end, 2) <= 1),
     ),
   );
   if (alone.size <= mostShort) return {lines, notes: []};

@@ -9,6 +9,7 @@ import {nearestOn} from '../../../model/geometry/nearest.js';
 import {runsOf} from '../../base/edges.js';
 import {cutAround} from '../../svg/cut-around.js';
 import type {Line} from '../../svg/lines.js';
+import {pointsOf} from '../../svg/outlines.js';
 import type {Sheet as DrawnSheet} from '../../svg/walk.js';
 
 /** Greatest allowance, wider than any hem. */
@@ -33,8 +34,9 @@ export function withOpenCutLines(
 ): readonly DrawnPiece[] {
   const open = drawn
     .flatMap(({lines}) => lines)
-    .filter(({isClosed, cubics}) => !isClosed && cubics.length > 2)
-    .map((line) => ({line, points: [line.start, ...line.cubics.map(([, , end]) => end)]}))
+    .filter(({isClosed}) => !isClosed)
+    .map((line) => ({line, points: pointsOf(line)}))
+    .filter(({points}) => points.length > 3)
     .map((one) => ({...one, length: lengthOf(one.points), box: boxOf(one.points)}));
   return pieces.map((piece) => {
     if (piece.cut || piece.doubt !== undefined) return piece;

@@ -29,9 +29,6 @@ export interface PageFrame {
   readonly map: PlaneMap;
 }
 
-/** Greatest number of nested states and layers; deeper ones are ignored. */
-const deepest = 200;
-
 /** Greatest side of a filled area without a stroke that is kept, as a mark. [mm] */
 const largestFill = 15;
 /** Greatest number of such marks on a page; more are a picture. */
@@ -205,11 +202,21 @@ class InkReader {
   readonly #layerNames: ReadonlyMap<string, string>;
   readonly #budget: ReadingBudget;
   readonly #saved: Graphics[] = [];
+  /** The innermost named layer at each depth. */
   readonly #layers: (string | undefined)[] = [];
   readonly #lines: InkLine[] = [];
   readonly #fills: InkLine[] = [];
   readonly #texts: InkText[] = [];
   readonly #styles = new Map<string, InkStyle>();
+  /** The style of the last line, as most lines have that of the line before. */
+  #last:
+    | {
+        readonly state: Graphics;
+        readonly isFilled: boolean;
+        readonly hasStroke: boolean;
+        readonly style: InkStyle;
+      }
+    | undefined;
   readonly #windows = new Map<string, {readonly box: Box; uses: number}>();
   #clips = false;
   #markPoints = 0;
@@ -227,7 +234,7 @@ class InkReader {
   }
 
   get #layer(): string | undefined {
-    return this.#layers.findLast((one) => one !== undefined);
+    return this.#layers.at(-1);
   }
 
   result(): PageInk {
@@ -264,11 +271,15 @@ class InkReader {
   }
 
   save(): void {
-    if (this.#saved.length < deepest) this.#saved.push(this.state);
+    this.#budget.spend('nested groups', 1);
+    this.#saved.push(this.state);
   }
 
   restore(): void {
-    this.state = this.#saved.pop() ?? this.state;
+    const state = this.#saved.pop();
+    if (!state) return;
+    this.#budget.take('nested groups', -1);
+    this.state = state;
   }
 
   transform(map: PlaneMap): void {
@@ -282,13 +293,15 @@ class InkReader {
   }
 
   beginLayer(properties: unknown): void {
-    if (this.#layers.length >= deepest) return;
+    this.#budget.spend('nested groups', 1);
     const {id, ids} = (properties ?? {}) as {readonly id?: unknown; readonly ids?: unknown};
     const [first] = Array.isArray(ids) ? (ids as unknown[]) : [id];
-    this.#layers.push(this.#layerNames.get(String(first)));
+    this.#layers.push(this.#layerNames.get(String(first)) ?? this.#layer);
   }
 
   endLayer(): void {
+    if (this.#layers.length === 0) return;
+    this.#budget.take('nested groups', -1);
     this.#layers.pop();
   }
 
@@ -345,10 +358,23 @@ class InkReader {
   }
 
   #styleOf(isFilled: boolean, hasStroke: boolean): InkStyle {
+    const last = this.#last;
+    const layer = this.#layer;
+    const isSame =
+      last?.state === this.state &&
+      last.isFilled === isFilled &&
+      last.hasStroke === hasStroke &&
+      last.style.layer === layer;
+    if (isSame) return last.style;
+    const style = this.#newStyle(isFilled, hasStroke, layer);
+    this.#last = {state: this.state, isFilled, hasStroke, style};
+    return style;
+  }
+
+  #newStyle(isFilled: boolean, hasStroke: boolean, layer: string | undefined): InkStyle {
     const {stroke, fillOpacity, strokeOpacity, width, dash, map} = this.state;
     const growth = growthOf(map);
     const round = (length: number): number => Number((length * growth).toFixed(2));
-    const layer = this.#layer;
     const style: InkStyle = {
       ...(hasStroke && {stroke}),
       ...{isFilled, widthMm: round(width)},
@@ -371,6 +397,7 @@ class InkReader {
       for (const {points, isClosed} of partsInBox(whole, clip)) {
         if (style.stroke === undefined) this.#addMark({points, isClosed, style});
         else {
+          this.#budget.spend('visible lines', 1);
           this.#budget.spend('visible points', points.length);
           this.#lines.push({points, isClosed, style});
         }

@@ -4,7 +4,9 @@
  */
 import {distance, type Point} from '../../../model/geometry/vectors.js';
 import {lengthOf} from '../../../model/geometry/polyline.js';
-import {nearestOn, type Near} from '../../../model/geometry/nearest.js';
+import type {Near} from '../../../model/geometry/nearest.js';
+import {gridOfPoints, pointsOnLine, type PointGrid} from '../../base/point-grid.js';
+import {Ends} from '../../base/ends.js';
 import type {InkLine} from './ink.js';
 import {byStyle, joinedLines} from './styles.js';
 
@@ -30,8 +32,13 @@ export function sharedParts(own: readonly InkLine[], others: readonly InkLine[])
     {at: points[0] ?? [0, 0], chain},
     {at: points.at(-1) ?? [0, 0], chain},
   ]);
-  const loose = ends.filter(
-    (end) => !ends.some((other) => other !== end && distance(other.at, end.at) <= reach),
+  const all = new Ends(
+    chains.map((_, k) => ends.slice(2 * k, 2 * k + 2).map(({at}) => at)),
+    reach,
+  );
+  const loose = gridOfPoints(
+    ends.filter(({at}) => all.countAt(at, 2) === 1),
+    reach,
   );
   const lines = [...byStyle(others).values()].flatMap(joinedLines);
   const bridges = lines
@@ -47,10 +54,8 @@ export function sharedParts(own: readonly InkLine[], others: readonly InkLine[])
 }
 
 /** The parts of a line between each two of the ends on it. */
-function bridgesOn({points, isClosed}: InkLine, ends: readonly End[]): Bridge[] {
-  const on = ends
-    .map((end) => ({end, near: nearestOn(points, end.at, isClosed)}))
-    .filter(({near}) => near.off <= reach);
+function bridgesOn({points, isClosed}: InkLine, ends: PointGrid<End>): Bridge[] {
+  const on = [...pointsOnLine(points, isClosed, ends, reach)].map(([end, near]) => ({end, near}));
   return on.flatMap((a, k) =>
     on.slice(k + 1).flatMap((b): Bridge[] => {
       const ways = [

@@ -2,15 +2,14 @@
  * Converts an assembled sheet to the drawing from which pieces are read: joined lines with hints of
  * their roles, and texts. Lengths in mm.
  */
-import {minus, unit, type Point} from '../../../model/geometry/vectors.js';
+import {minus, unit} from '../../../model/geometry/vectors.js';
 import {boxOf} from '../../../model/geometry/polyline.js';
 import {arrowsIn} from '../../base/arrows.js';
-import {straight} from '../../base/bezier.js';
 import type {XmlElement} from '../../base/xml.js';
-import type {Line} from '../../svg/lines.js';
+import {straightLine} from '../../svg/outlines.js';
 import type {Drawn, DrawnText, Sheet as DrawnSheet} from '../../svg/walk.js';
 import type {Sheet} from './assemble.js';
-import {middleOf, type InkStyle, type InkText} from './ink.js';
+import {middleOf, type InkLine, type InkStyle, type InkText} from './ink.js';
 import {isHelpLayer, statedRole} from './layer-words.js';
 import {byStyle, joinedLines, styleKey} from './styles.js';
 
@@ -20,26 +19,34 @@ const elementOf = (name?: string): XmlElement => ({
   children: [],
 });
 
-const lineOf = (points: readonly Point[], isClosed: boolean): Line => {
-  const [start = [0, 0], ...rest] = points;
-  const ends = isClosed ? [...rest, start] : rest;
-  return {start, cubics: ends.map((to, k) => straight(points[k] ?? start, to)), isClosed};
-};
+/** Open lines share an element, since a page may have a hundred thousand. */
+const openElement = elementOf();
 
-function drawn(points: readonly Point[], isClosed: boolean, style: InkStyle, name?: string): Drawn {
+/** The parts of a drawn line that all lines of a style share. */
+type Look = Required<Pick<Drawn, 'groups' | 'style' | 'hints'>>;
+
+function lookOf(style: InkStyle): Look {
   const {stroke = 'none', isFilled, opacity, layer} = style;
   const stated = layer === undefined ? undefined : statedRole(layer);
   return {
-    element: elementOf(name),
     groups: [],
     style: {
       ...{stroke, fill: isFilled ? '#000000' : 'none', isHidden: false, isDashed: false},
       ...{opacity, isEvenOdd: false, fontSize: 1},
     },
-    lines: [lineOf(points, isClosed)],
-    isUsed: false,
     hints: {...(stated && {stated}), style: styleKey(style)},
   };
+}
+
+/** Draws lines, with one look for each style. */
+function drawnLines(lines: readonly InkLine[]): Drawn[] {
+  const looks = new Map<InkStyle, Look>();
+  return lines.map(({points, isClosed, style}) => {
+    const look = looks.get(style) ?? lookOf(style);
+    looks.set(style, look);
+    const element = isClosed ? elementOf() : openElement;
+    return {...look, element, lines: [straightLine(points, isClosed)], isUsed: false};
+  });
 }
 
 const textOf = ({text, size, ...ends}: InkText): DrawnText => ({
@@ -61,8 +68,11 @@ export function drawingOf(
   const {low, high} = boxOf(joined.flatMap(({points}) => points));
   return {
     drawn: [
-      ...joined.map(({points, isClosed, style}) => drawn(points, isClosed, style)),
-      ...arrows.map(({points, style}) => drawn(points, false, style, 'grainline')),
+      ...drawnLines(joined),
+      ...drawnLines(arrows.map((arrow) => ({...arrow, isClosed: false}))).map((arrow) => ({
+        ...arrow,
+        element: elementOf('grainline'),
+      })),
     ],
     texts: texts
       .filter(({layer, text}) => (layer === undefined || !isHelpLayer(layer)) && !isRepeated(text))

@@ -6,9 +6,18 @@ import type {InkLine, InkStyle} from './ink.js';
 /** Greatest gap between ends of lines that meet, as programs and joints of pages leave. */
 const reach = 0.3;
 
+const keys = new WeakMap<InkStyle, string>();
+
 /** A key that lines of one style share, on all pages. */
-export const styleKey = ({stroke, isFilled, widthMm, dashMm, layer}: InkStyle): string =>
-  JSON.stringify([stroke, isFilled && stroke === undefined, widthMm.toFixed(1), dashMm, layer]);
+export function styleKey(style: InkStyle): string {
+  const known = keys.get(style);
+  if (known !== undefined) return known;
+  const {stroke, isFilled, widthMm, dashMm, layer} = style;
+  const isMark = isFilled && stroke === undefined;
+  const key = JSON.stringify([stroke, isMark, widthMm.toFixed(1), dashMm, layer]);
+  keys.set(style, key);
+  return key;
+}
 
 /** The lines of each style. */
 export function byStyle(lines: readonly InkLine[]): ReadonlyMap<string, readonly InkLine[]> {

@@ -1,5 +1,6 @@
 /** Joins the parts of lines that were cut at the sides of pages, and nothing else. [mm] */
 import {distance, type Point} from '../../../model/geometry/vectors.js';
+import {PointGrid} from '../../base/point-grid.js';
 import type {InkLine} from './ink.js';
 import {byStyle} from './styles.js';
 
@@ -8,6 +9,9 @@ const atCut = 0.02;
 
 /** Greatest distance between both ends of a cut line on their pages. */
 const reach = 0.4;
+
+/** Greatest number of ends in one place; more are those of hatching or a picture. */
+const mostEnds = 20;
 
 /** An end of a part at a cut. */
 interface CutEnd {
@@ -69,18 +73,13 @@ function weldedParts(parts: readonly InkLine[], isAtCut: (point: Point) => boole
 
 /** For each end, the nearest end of a line on the other page. */
 function partnersOf(ends: readonly CutEnd[]): ReadonlyMap<CutEnd, CutEnd> {
-  const cells = new Map<string, CutEnd[]>();
-  const keyOf = (x: number, y: number): string => `${Math.floor(x)} ${Math.floor(y)}`;
-  for (const end of ends) {
-    const key = keyOf(...end.at);
-    const cell = cells.get(key);
-    if (cell) cell.push(end);
-    else cells.set(key, [end]);
-  }
+  const grid = new PointGrid<CutEnd>(reach);
+  for (const end of ends) grid.add(end.at, end);
   const pairs = ends.flatMap((end) => {
-    const [x, y] = end.at;
-    return [-1, 0, 1]
-      .flatMap((dx) => [-1, 0, 1].flatMap((dy) => cells.get(keyOf(x + dx, y + dy)) ?? []))
+    const near = grid.around(end.at);
+    if (near.reduce((sum, {length}) => sum + length, 0) > mostEnds) return [];
+    return near
+      .flat()
       .filter((other) => other !== end)
       .map((other) => ({end, other, off: distance(end.at, other.at)}))
       .filter(({off}) => off <= reach);
