@@ -43,7 +43,7 @@ import type {
   NamedSolveHooks,
   ProblemNames,
 } from '../solver/requests/requests.js';
-import {photoFacts} from '../solver/requests/request-checks.js';
+import {photoFacts} from '../solver/requests/later-checks.js';
 import type {CommonSizeHooks} from './common-size.js';
 import type {CutSettings} from './cut.js';
 import {

@@ -17,7 +17,7 @@ import {
 import type {CutSheet} from '../cutting/cut-sheet.js';
 import type {MarkerGarment} from '../model/design/marker-garment.js';
 import {checkedResult} from '../model/documents/checked-result.js';
-import type {FiledDesign} from '../model/documents/stored-design.js';
+import type {FiledDesign} from '../model/documents/filed-design.js';
 import type {GarmentDocument} from '../model/garment/garment-document.js';
 import {norm, type Point} from '../model/geometry/vectors.js';
 import {scaleLimits} from '../model/print/print-scale.js';

@@ -15,6 +15,7 @@ import {checkedResult} from '../model/documents/checked-result.js';
 import * as problems from '../model/documents/design-problem.js';
 import * as drapes from '../model/documents/drape-file.js';
 import * as results from '../model/documents/result-text.js';
+import * as filed from '../model/documents/filed-design.js';
 import * as designs from '../model/documents/stored-design.js';
 import * as garments from '../model/garment/write-garment.js';
 import type {Print} from '../model/print/repeating-print.js';
@@ -164,7 +165,7 @@ export const designOf = checked(designs.designOf, 'designOf', {
  * Differences of a print from its file.
  * @throws {SolverError} `options` for values that are no print
  */
-export const changesOf = checked(designs.changesOf, 'changesOf', {
+export const changesOf = checked(filed.changesOf, 'changesOf', {
   changes: printChanges,
   file: print,
 });
@@ -173,7 +174,7 @@ export const changesOf = checked(designs.changesOf, 'changesOf', {
  * The print of a design, made from the content of its file and the changes.
  * @throws {FileError} naming the print's file; {SolverError} `options` for other values
  */
-export const printOfStored = checked(designs.printOfStored, 'printOfStored', {
+export const printOfStored = checked(filed.printOfStored, 'printOfStored', {
   design: having({print: having({url: text()})}),
   content: text(),
 });
@@ -182,7 +183,7 @@ export const printOfStored = checked(designs.printOfStored, 'printOfStored', {
  * The print of a design for the solver: the content of its file if nothing in it was changed.
  * @throws {FileError} naming the print's file; {SolverError} `options` for other values
  */
-export const printTextOf = checked(designs.printTextOf, 'printTextOf', {
+export const printTextOf = checked(filed.printTextOf, 'printTextOf', {
   design: having({print: having({url: text()})}),
   content: text(),
 });

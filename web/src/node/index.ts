@@ -23,7 +23,7 @@ import {
   type NamedProofHooks,
   type NamedSolveHooks,
 } from '../solver/requests/requests.js';
-import {pixels as pixelsCheck} from '../solver/requests/request-checks.js';
+import {pixels as pixelsCheck} from '../solver/requests/later-checks.js';
 import {chosenProblem} from '../solver/search/asked-search.js';
 import * as checks from './argument-checks.js';
 import type {CommonSizeHooks} from './common-size.js';

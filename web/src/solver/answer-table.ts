@@ -64,6 +64,7 @@ const shareSlice = 20;
 export const answerTable = (helpers?: Helpers): AnswerTable<Requests, SolverModules> => ({
   modules: {seamwise, drape, marker, photo},
   checks: requestChecks,
+  laterChecks: async () => (await import('./requests/later-checks.js')).laterChecks,
   requests: {
     solve: {
       module: 'seamwise',

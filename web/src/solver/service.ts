@@ -33,7 +33,7 @@ import {
   type NamedSolveHooks,
   type Requests,
 } from './requests/requests.js';
-import {askedSearch, described, singleProblem, unsewnPrint} from './search/asked-search.js';
+import {askingOptions, described, unsewnPrint} from './search/asked-parts.js';
 
 /** Hooks for any request. Hooks for events that a request does not report are not called. */
 export type QuestionHooks = SolveHooks & ProofHooks;
@@ -127,6 +127,13 @@ export interface SolverService {
   photoObject(request: PhotoObjectRequest, hooks?: PhotoHooks): Promise<PhotoObject>;
 }
 
+/** The problem of one solve. @throws {SolverError} for invalid options */
+async function singleOf(problem: Problem, called?: string): Promise<SingleProblem> {
+  if (!askingOptions(problem)) return problem as SingleProblem;
+  const {singleProblem} = await import('./search/asked-search.js');
+  return singleProblem(problem, called);
+}
+
 /** The problem on its print after the wash. @throws {SolverError} for contradictory fabric */
 async function withSewnPrint(problem: SingleProblem): Promise<SingleProblem> {
   const print = unsewnPrint(problem);
@@ -149,6 +156,8 @@ export abstract class TextService implements SolverService {
     checkHooks('solve', hooks);
     hooks.signal?.throwIfAborted();
     checkReadable('solve', problem);
+    if (!askingOptions(problem)) return this.#solveOnce(problem as SingleProblem, hooks);
+    const {askedSearch, singleProblem} = await import('./search/asked-search.js');
     const search = askedSearch(problem, hooks.names?.options);
     if (!search) return this.#solveOnce(singleProblem(problem, hooks.names?.options), hooks);
     const {bestAnswer} = await import('./search/best-answer.js');
@@ -172,14 +181,14 @@ export abstract class TextService implements SolverService {
   async prepare(problem: Problem, hooks: NamedPrepareHooks = {}): Promise<MeshedPattern> {
     checkHooks('prepare', hooks);
     checkReadable('prepare', problem);
-    const sewn = await withSewnPrint(singleProblem(problem, hooks.names?.options));
+    const sewn = await withSewnPrint(await singleOf(problem, hooks.names?.options));
     return this.#ask('prepare', () => problemTexts(sewn, hooks.names), hooks);
   }
 
   async prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
     checkHooks('prove', hooks);
     checkReadable('prove', problem);
-    const sewn = await withSewnPrint(singleProblem(problem, hooks.names?.options));
+    const sewn = await withSewnPrint(await singleOf(problem, hooks.names?.options));
     return this.#ask('prove', () => problemTexts(sewn, hooks.names), hooks);
   }
 

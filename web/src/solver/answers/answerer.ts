@@ -46,6 +46,8 @@ interface Answering<Q extends RequestKind, Ms extends Modules, N extends keyof M
   answer(module: Ms[N], request: Q['request'], job: Job<Q>): Q['answer'] | Promise<Q['answer']>;
 }
 
+type Checks<R extends RequestKinds> = {readonly [K in keyof R]?: Read<R[K]['request']>};
+
 /**
  * All requests that a thread can answer, and their modules, each of which is loaded when it is
  * first needed.
@@ -53,7 +55,9 @@ interface Answering<Q extends RequestKind, Ms extends Modules, N extends keyof M
 export interface AnswerTable<R extends RequestKinds, Ms extends Modules> {
   readonly modules: {readonly [N in keyof Ms]: ModuleLoader<Ms[N]>};
   /** Checks of the requests, before anything else. */
-  readonly checks: {readonly [K in keyof R]: Read<R[K]['request']>};
+  readonly checks: Checks<R>;
+  /** Checks that load with their first request. */
+  laterChecks?(): Promise<Checks<R>>;
   readonly requests: {
     readonly [K in keyof R]: {readonly [N in keyof Ms]: Answering<R[K], Ms, N>}[keyof Ms];
   };
@@ -85,7 +89,10 @@ export class Answerer<R extends RequestKinds, Ms extends Modules> {
     request: R[K]['request'],
     hooks: HooksOf<R[K]>,
   ): Promise<R[K]['answer']> {
-    checkArguments(kind, ['request', request, this.#table.checks[kind]]);
+    const table = this.#table;
+    const check = table.checks[kind] ?? (await table.laterChecks?.())?.[kind];
+    if (!check) throw new Error(`No check for requests '${kind}'.`);
+    checkArguments(kind, ['request', request, check]);
     const answering: Answering<R[K], Ms, keyof Ms> = this.#table.requests[kind];
     const {queue} = answering;
     const work = () => this.#onModule(answering, request, hooks);
