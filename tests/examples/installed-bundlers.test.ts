@@ -51,7 +51,7 @@ it.runIf(isOnline)('works with Parcel by the guide', async () => {
 });
 
 it.runIf(isOnline).each(['5', '6', '7'])('works with Vite %s by the guide', async (version) => {
-  const [, setting = ''] = /^\| Vite 5, 6 and 7.*\| `(.*)` in/m.exec(guide) ?? [];
+  const [, setting = ''] = /^\| Vite 5, 6 and 7.*?\| `([^`]*)` in/m.exec(guide) ?? [];
   const config = `export default {${setting}};\n`;
   const folder = await projectWith([`vite@${version}`], {...files, 'vite.config.js': config});
   await inShell(folder, 'npx vite build --base ./');

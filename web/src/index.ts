@@ -51,6 +51,7 @@ export {tileRepeats, type PrintTile, type TileRepeat} from './model/print/opened
 export type {CellOf, Repeat} from './model/print/wallpaper.js';
 export {resultText} from './model/documents/result-text.js';
 export {solvedDesign, type SolvedFiles} from './model/design/solved-design.js';
+export * from './model/documents/filed-design.js';
 export * from './model/documents/stored-design.js';
 
 export {chosenProblem} from './solver/search/asked-search.js';

@@ -3,6 +3,7 @@ import {expect, it} from 'vitest';
 
 import {failureCodes, pageFailureCodes} from '@/model/base/failure.js';
 import type {SeamwiseGarment} from '@/element/seamwise-garment.js';
+import {faultOf as faultOfCallInPage} from '../../support/odd-values.js';
 import {frames} from '../../support/page/waiting.js';
 import {tee, useElementPage, type ElementPage} from '../../support/page/element-page.js';
 
@@ -13,6 +14,7 @@ declare global {
   var odd: Readonly<Record<string, unknown>>;
   /** Returns what is wrong with the outcome of a call; empty for a value or a proper error. */
   var faultOf: (call: () => unknown) => Promise<string>;
+  var faultOfCall: typeof faultOfCallInPage;
 }
 
 async function opened(): Promise<ElementPage> {
@@ -21,6 +23,7 @@ async function opened(): Promise<ElementPage> {
   await open.page.route(/\/(garments|prints)\//, (route) =>
     isOwn.test(route.request().url()) ? route.fallback() : route.fulfill({status: 404}),
   );
+  await open.page.evaluate(`globalThis.faultOfCall = ${String(faultOfCallInPage)}`);
   await open.page.evaluate(
     (codes) => {
       const circle: {self?: unknown} = {};
@@ -44,18 +47,7 @@ async function opened(): Promise<ElementPage> {
           deep: {a: {b: []}},
         },
       };
-      globalThis.faultOf = async (call) => {
-        try {
-          await call();
-          return '';
-        } catch (error) {
-          const {code, message} = error as {code?: string; message?: string};
-          if (code === undefined || code === 'internal' || !codes.includes(code)) {
-            return `${String(code)} ${String(error)}`;
-          }
-          return /^\S[^\n]*\.$/.test(message ?? '') ? '' : `no sentence: ${message ?? ''}`;
-        }
-      };
+      globalThis.faultOf = (call) => globalThis.faultOfCall(call, codes);
     },
     [...Object.keys(failureCodes), ...pageFailureCodes],
   );

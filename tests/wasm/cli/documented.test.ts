@@ -11,11 +11,16 @@ import {afterAll, beforeAll, expect, it} from 'vitest';
 const run = promisify(execFile);
 const project = fileURLToPath(new URL('../../..', import.meta.url));
 const program = `${process.execPath} ${join(project, 'dist/cli/main.js')}`;
+/** A package of the same name resolves `seamwise/node` to `dist`, as in this project. */
+const manifest = await readFile(join(project, 'package.json'), 'utf8');
 let folder: string;
 
 beforeAll(async () => {
   folder = await mkdtemp(join(tmpdir(), 'seamwise-guides-'));
-  await symlink(join(project, 'public'), join(folder, 'public'), 'junction');
+  for (const part of ['public', 'dist', 'tests', 'node_modules']) {
+    await symlink(join(project, part), join(folder, part), 'junction');
+  }
+  await writeFile(join(folder, 'package.json'), manifest);
 });
 afterAll(() => rm(folder, {recursive: true}));
 
@@ -33,11 +38,44 @@ async function runAll(guide: string, words: RegExp): Promise<number> {
     .flatMap((code) => code.trim().split('\n'))
     .filter((line) => words.test(line));
   for (const line of lines) {
-    const command = line.replace(/^npm run -s seamwise --/, program);
-    await run('sh', ['-c', command], {cwd: folder, maxBuffer: 1e8});
+    await inShell(line);
   }
   return lines.length;
 }
+
+/** Runs a command as it is written for this project's folder. */
+const inShell = (command: string) => {
+  const own = command.replaceAll('npm run -s seamwise --', program);
+  return run('sh', ['-c', own.replaceAll(/^seamwise /gm, `${program} `)], {
+    ...{cwd: folder, maxBuffer: 1e8},
+  });
+};
+
+/** Output of a command, whatever its exit code. */
+async function outputOf(command: string): Promise<string> {
+  const {stdout, stderr} = await inShell(command).catch(
+    (error: unknown) => error as {stdout: string; stderr: string},
+  );
+  return stdout + stderr;
+}
+
+/** Lines of an output without notes, with `#` for each number, which better solvers change. */
+const summariesOf = (text: string): readonly string[] =>
+  text
+    .replaceAll(/\d+(\.\d+)?/g, '#')
+    .replaceAll(/; (proven the shortest|# cm at the least)/g, '')
+    .split('\n')
+    .filter((line) => line !== '' && !line.startsWith('note: '));
+
+/** Runs a guide's programs for Node. @returns their output */
+const programsOf = async (guide: string): Promise<readonly string[]> =>
+  Promise.all(
+    (await snippetsOf(guide, 'js')).map(async (code, k) => {
+      const file = join(folder, `program-${k}.mjs`);
+      await writeFile(file, code);
+      return (await run(process.execPath, [file], {cwd: folder})).stdout;
+    }),
+  );
 
 it('of the README run', async () => {
   expect(await runAll('README.md', /^mkdir|seamwise/)).toBe(3);
@@ -57,4 +95,26 @@ it('of a batch run on its example of jobs', {tags: ['thorough'], timeout: 600_00
   expect(await runAll('docs/batch.md', /jobs\.ndjson/)).toBe(1);
   const done = await readFile(join(folder, 'shelf/done.ndjson'), 'utf8');
   expect(done.trim().split('\n')).toHaveLength(3);
+});
+
+it(
+  'of the fabric layout print what the guide shows',
+  {tags: ['thorough'], timeout: 600_000},
+  async () => {
+    const sessions = (await snippetsOf('docs/marker.md', 'console')).flatMap((text) =>
+      text.split(/^\$ /m).filter((part) => part !== ''),
+    );
+    for (const session of sessions) {
+      const [command = '', ...shown] = session.split('\n');
+      expect(summariesOf(await outputOf(command)), command).toEqual(summariesOf(shown.join('\n')));
+    }
+    expect(sessions.length).toBeGreaterThan(15);
+    const [printed] = await programsOf('docs/marker.md');
+    expect(printed).toMatch(/^[\d.]+ (true|false)\n$/);
+  },
+);
+
+it('of JavaScript run', {timeout: 240_000}, async () => {
+  const [printed = ''] = await programsOf('docs/javascript.md');
+  expect(printed).toContain('deformation 1\n');
 });

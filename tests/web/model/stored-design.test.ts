@@ -6,12 +6,8 @@ import {describe, expect, it} from 'vitest';
 import {problemOfStored} from '@/model/documents/design-problem.js';
 import type {Print} from '@/model/print/repeating-print.js';
 import {repeatOf} from '@/model/print/repeat.js';
-import {
-  changesOf,
-  printOfStored,
-  readStoredDesign,
-  writeStoredDesign,
-} from '@/model/documents/stored-design.js';
+import {changesOf, printOfStored} from '@/model/documents/filed-design.js';
+import {readStoredDesign, writeStoredDesign} from '@/model/documents/stored-design.js';
 import {packageVersion} from '@/model/base/version.js';
 import {FileError} from '@/model/base/versioned-file.js';
 import {storedDesign} from '../../support/garments/designs.js';

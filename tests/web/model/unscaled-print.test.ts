@@ -10,7 +10,7 @@ import {printOf, type DesignPrint} from '@/model/design/design.js';
 import {printMeasures} from '@/model/design/read-design.js';
 import {readPrintFile} from '@/model/print/read-print-file.js';
 import {checkScaled} from '@/model/result/unscaled-print.js';
-import {printOfStored} from '@/model/documents/stored-design.js';
+import {printOfStored} from '@/model/documents/filed-design.js';
 import {pictureIn, resized} from '@/model/design/tile-repeat.js';
 
 const print: DesignPrint = {

@@ -1,8 +1,10 @@
 /**
  * Requests to a test module, through all layers of requests to the solver; in Node, over a channel.
  */
-import {beforeEach, expect, it} from 'vitest';
+import {beforeEach, expect, it, vi} from 'vitest';
 
+import {oddValues} from '../../support/odd-values.js';
+import {having} from '@/model/base/arguments.js';
 import {SolverError} from '@/model/base/failure.js';
 import {Answerer, type AnswerTable, type Queue} from '@/solver/answers/answerer.js';
 import {workerBlocked} from '@/solver/answers/failures.js';
@@ -73,6 +75,7 @@ function loader<M>(name: string, of: (exports: WebAssembly.Exports) => M): Modul
   return {file: `${name}.wasm`, url, create};
 }
 
+const any = having<never>({});
 const waits: Queue = {atOnce: 1};
 
 const table: AnswerTable<TestRequests, TestModules> = {
@@ -80,6 +83,7 @@ const table: AnswerTable<TestRequests, TestModules> = {
     halving: loader('halving', (exports) => exports as unknown as Halving),
     other: loader('other', () => ({name: 'other'})),
   },
+  checks: {halve: any, wait: any, refuse: any, trap: any, name: any},
   requests: {
     halve: {
       module: 'halving',
@@ -245,7 +249,9 @@ it('rejects what can be no message, and hands over nothing with it', async () =>
   const asked = {...request(), odd: () => undefined};
   const transfer = [asked.values.buffer as ArrayBuffer];
   await withClient(async (client) => {
-    await expect(client.ask('halve', asked, {transfer})).rejects.toThrow('could not be cloned');
+    await expect(client.ask('halve', asked, {transfer})).rejects.toThrow(
+      'cannot be sent to the solver',
+    );
     expect(await client.ask('halve', {values: asked.values}, {})).toEqual({values: halves});
   });
 });
@@ -329,4 +335,30 @@ it('ignores messages of other scripts, and rejects requests that it does not kno
     receive({...asked, job: 3, ...odd});
     expect(posted.splice(0)).toMatchObject([{kind: 'failed', job: 3, failure: {code: 'internal'}}]);
   }
+});
+
+/** Returns whether a value can be sent to another thread. */
+function isSendable(value: unknown): boolean {
+  try {
+    structuredClone(value);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+it('ends each job with an odd name, hooks or request', async () => {
+  const ended: FromThread[] = [];
+  const receive = serve(table, (message) => ended.push(message));
+  const usual = {kind: 'request', name: 'halve', request: {values: [1]}, hooks: [], helpers: 0};
+  let job = 0;
+  for (const value of Object.values(oddValues()).filter(isSendable)) {
+    for (const field of ['name', 'hooks', 'helpers', 'request']) {
+      receive({...usual, job: ++job, [field]: value} as never);
+    }
+  }
+  const isEnd = ({kind}: FromThread) => kind === 'done' || kind === 'failed';
+  await vi.waitFor(() => {
+    expect(ended.filter(isEnd)).toHaveLength(job);
+  });
 });

@@ -11,8 +11,7 @@ import {labelled} from './style/page-layout.js';
 import type {Projects} from './projects/projects.js';
 import {saveFile} from './files.js';
 import {fileNameOf} from '../model/documents/project-name.js';
-import {writeProject} from '../model/documents/project.js';
-import {written} from '../model/design/read-design.js';
+import {written} from '../model/design/written-design.js';
 import type {Workbench} from '../workbench/workbench.js';
 
 // Saves projects, results and pictures as files.
@@ -26,11 +25,13 @@ interface Saved {
 /** Returns a file's name without its ending. */
 const stem = ({projects}: Saved): string => fileNameOf(projects.name);
 
-export function saveProject(saved: Saved): void {
+export async function saveProject(saved: Saved): Promise<void> {
   const {workbench, projects} = saved;
-  if (!workbench.history.design) return;
+  const {design} = workbench.history;
+  if (!design) return;
   const [view, title] = [workbench.sheet.view?.get(), projects.present?.title];
-  const content = writeProject(workbench.history.design, {
+  const {writeProject} = await import('../model/documents/project.js');
+  const content = writeProject(design, {
     ...(view && {view}),
     ...(title !== undefined && {title}),
   });
@@ -147,7 +148,7 @@ export class SaveMenu extends WorkbenchElement {
           <button
             class="outlined"
             @click=${() => {
-              saveProject(this);
+              void saveProject(this);
             }}
           >
             ${icon.project} ${app.saveProject}

@@ -373,7 +373,7 @@ async function openable(
   },
 ): Promise<string> {
   const {solvedDesign} = await import('../model/design/solved-design.js');
-  const {written} = await import('../model/design/read-design.js');
+  const {written} = await import('../model/design/written-design.js');
   const file = JSON.parse(textOf(print.bytes)) as Print;
   const varied = asVariant(file, variant);
   const fabric = asSewn(withFabric(varied, delivered ?? {}));

@@ -10,13 +10,8 @@ import {asSewn, withFabric} from '../model/print/as-sewn.js';
 import type {Delivered, Print} from '../model/print/repeating-print.js';
 import {asVariant, variedRepeat, type PrintVariant} from '../model/print/print-variant.js';
 import {repeatOf} from '../model/print/repeat.js';
-import {
-  changesOf,
-  designOf,
-  readStoredDesign,
-  writeStoredDesign,
-  type PrintChanges,
-} from '../model/documents/stored-design.js';
+import {changesOf, type PrintChanges} from '../model/documents/filed-design.js';
+import {designOf, readStoredDesign, writeStoredDesign} from '../model/documents/stored-design.js';
 import {textOf} from '../node/files.js';
 import type {Symmetries} from '../model/garment/symmetries.js';
 

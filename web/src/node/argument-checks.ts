@@ -43,6 +43,7 @@ import type {
   NamedSolveHooks,
   ProblemNames,
 } from '../solver/requests/requests.js';
+import {photoFacts} from '../solver/requests/later-checks.js';
 import type {CommonSizeHooks} from './common-size.js';
 import type {CutSettings} from './cut.js';
 import {
@@ -51,6 +52,7 @@ import {
   garmentDocument,
   laidGarment,
   layPlan,
+  numberOrNull,
   print,
 } from './document-checks.js';
 import type {ImportOptions} from './import.js';
@@ -75,12 +77,6 @@ const jsonText: Read<unknown> = (value, at) => {
 const object: Read<object> = (value, at) => readable(having({})(value, at));
 const document = either('an object or its JSON text', jsonText, object);
 
-/** Accepts a problem whose parts can be read; the solver checks them. */
-export const problem: Read<unknown> = (value) => {
-  Object.values(Object(value) as object).forEach(readable);
-  return value;
-};
-
 /** A problem that has a result already; the solver checks the rest. */
 export const solvedProblem = having<Problem>({
   ...{garment: document, print: document, options: optional(document)},
@@ -88,7 +84,6 @@ export const solvedProblem = having<Problem>({
 
 export const solvedProblems = listOf(solvedProblem);
 
-const finite = number(-1e9, 1e9);
 const allowance = number(0, greatestAllowance);
 
 const problemNames = fields<Partial<ProblemNames>>({
@@ -188,8 +183,6 @@ export const orderHooks = fields<OrderHooks>({
   ...{within: listOf(folder), timeoutMs: number(1, 1e9)},
 });
 
-const nothing: Read<null> = (value, at) => (value === null ? value : fail(at, 'null'));
-
 /** A design that was solved; its options were read with it. */
 const soldDesign: Read<unknown> = (value, at) => {
   filedDesign(value, at);
@@ -198,7 +191,7 @@ const soldDesign: Read<unknown> = (value, at) => {
 
 export const solvedOrder = having<Order>({
   ...{design: soldDesign, garment: word, print, result: checkedResult, reproduced: flag},
-  ...{differenceCm: either('a number or null', finite, nothing), plan: optional(layPlan)},
+  ...{differenceCm: numberOrNull, plan: optional(layPlan)},
 });
 
 export const orderRecordSettings = fields<OrderRecordSettings>({tile: word});
@@ -227,11 +220,4 @@ export const garmentDxfOptions = fields<GarmentDxfOptions>({
   ...{...dxfFormat, sewAsBoundary: flag, name: word, allowanceCm: allowance},
 });
 
-const measured = fields({repeats: finite, cm: finite}, 'repeats', 'cm');
-
-export const photoSettings = fields<PrintFromPixelsSettings>({
-  ...{symmetrise: flag, f35: number(1, 10_000), isTile: flag, anyEdges: flag},
-  ...{w1Measured: measured, w2Measured: measured, keepsLattice: flag, flatten: number(0, 1)},
-  between: fields({from: pairOf(finite), to: pairOf(finite), cm: finite}, 'from', 'to', 'cm'),
-  lattice: fields({homography: listOf(finite), lens: finite}, 'homography', 'lens'),
-});
+export const photoSettings = fields<PrintFromPixelsSettings>({...photoFacts, symmetrise: flag});

@@ -1,13 +1,21 @@
 /** Functions of `seamwise/node` that convert documents at once, with checks of their arguments. */
 import * as glbFiles from '../files/glb/glb.js';
 import * as plans from '../marker/plan.js';
-import {bytes, checkArguments, either, having, optional} from '../model/base/arguments.js';
+import {
+  bytes,
+  checkArguments,
+  either,
+  having,
+  optional,
+  readable,
+} from '../model/base/arguments.js';
 import {SolverError} from '../model/base/failure.js';
 import {number, text, type Read} from '../model/base/read.js';
 import {checkedResult} from '../model/documents/checked-result.js';
 import * as problems from '../model/documents/design-problem.js';
 import * as drapes from '../model/documents/drape-file.js';
 import * as results from '../model/documents/result-text.js';
+import * as filed from '../model/documents/filed-design.js';
 import * as designs from '../model/documents/stored-design.js';
 import * as garments from '../model/garment/write-garment.js';
 import type {Print} from '../model/print/repeating-print.js';
@@ -15,7 +23,6 @@ import * as prints from '../model/result/print-of-result.js';
 import type {SolveResult} from '../model/result/result.js';
 import * as searches from '../solver/search/asked-search.js';
 import {drapeSettings, glbOptions, json, title} from './setting-checks.js';
-import {problem} from './argument-checks.js';
 import {drape, filedDesign, garmentDocument, layPlan, print} from './document-checks.js';
 
 /**
@@ -70,7 +77,7 @@ export function printOfResult<P extends Print>(of: SolveResult['print'], own: P)
  * @throws {SolverError} `options` for values that are no problem or no result
  */
 export const chosenProblem = checked(searches.chosenProblem, 'chosenProblem', {
-  problem,
+  problem: readable,
   result: having({print, metrics: having({})}),
 });
 
@@ -158,7 +165,7 @@ export const designOf = checked(designs.designOf, 'designOf', {
  * Differences of a print from its file.
  * @throws {SolverError} `options` for values that are no print
  */
-export const changesOf = checked(designs.changesOf, 'changesOf', {
+export const changesOf = checked(filed.changesOf, 'changesOf', {
   changes: printChanges,
   file: print,
 });
@@ -167,7 +174,7 @@ export const changesOf = checked(designs.changesOf, 'changesOf', {
  * The print of a design, made from the content of its file and the changes.
  * @throws {FileError} naming the print's file; {SolverError} `options` for other values
  */
-export const printOfStored = checked(designs.printOfStored, 'printOfStored', {
+export const printOfStored = checked(filed.printOfStored, 'printOfStored', {
   design: having({print: having({url: text()})}),
   content: text(),
 });
@@ -176,7 +183,7 @@ export const printOfStored = checked(designs.printOfStored, 'printOfStored', {
  * The print of a design for the solver: the content of its file if nothing in it was changed.
  * @throws {FileError} naming the print's file; {SolverError} `options` for other values
  */
-export const printTextOf = checked(designs.printTextOf, 'printTextOf', {
+export const printTextOf = checked(filed.printTextOf, 'printTextOf', {
   design: having({print: having({url: text()})}),
   content: text(),
 });

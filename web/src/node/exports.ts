@@ -45,8 +45,8 @@ export type {
   FiledGarment,
   FiledPrint,
   PrintChanges,
-  StoredDesign,
-} from '../model/documents/stored-design.js';
+} from '../model/documents/filed-design.js';
+export type {StoredDesign} from '../model/documents/stored-design.js';
 export type {StoredFile} from '../model/design/design.js';
 export {FileError} from '../model/base/versioned-file.js';
 export type {OwnShare} from '../cutting/allowances.js';

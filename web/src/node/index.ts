@@ -23,15 +23,12 @@ import {
   type NamedProofHooks,
   type NamedSolveHooks,
 } from '../solver/requests/requests.js';
+import {pixels as pixelsCheck} from '../solver/requests/later-checks.js';
 import {chosenProblem} from '../solver/search/asked-search.js';
 import * as checks from './argument-checks.js';
 import type {CommonSizeHooks} from './common-size.js';
 import type {Cut, CutSettings} from './cut.js';
-import {
-  layPlan as planCheck,
-  pixels as pixelsCheck,
-  print as printCheck,
-} from './document-checks.js';
+import {layPlan as planCheck, print as printCheck} from './document-checks.js';
 import type {ImportedGarment, ImportOptions} from './import.js';
 import type {MarkerPlanHooks, NodeMarkerSettings} from './marker.js';
 import type {LayPlanFiles, LayPlanSettings} from './lay-plan.js';
@@ -57,11 +54,7 @@ const solver = new ThreadSolver();
  *   aborts
  */
 export async function solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
-  checkArguments(
-    'solve',
-    ['hooks', hooks, checks.solveHooks],
-    ['problem', problem, checks.problem],
-  );
+  checkArguments('solve', ['hooks', hooks, checks.solveHooks]);
   return solver.solve(problem, hooks);
 }
 
@@ -267,11 +260,7 @@ export async function prepare(
   problem: Problem,
   hooks: NamedPrepareHooks = {},
 ): Promise<MeshedPattern> {
-  checkArguments(
-    'prepare',
-    ['hooks', hooks, checks.prepareHooks],
-    ['problem', problem, checks.problem],
-  );
+  checkArguments('prepare', ['hooks', hooks, checks.prepareHooks]);
   return solver.prepare(problem, hooks);
 }
 
@@ -281,11 +270,7 @@ export async function prepare(
  * @throws {SolverError} under the conditions of `solve`
  */
 export async function prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
-  checkArguments(
-    'prove',
-    ['hooks', hooks, checks.proofHooks],
-    ['problem', problem, checks.problem],
-  );
+  checkArguments('prove', ['hooks', hooks, checks.proofHooks]);
   return solver.prove(problem, hooks);
 }
 

@@ -1,6 +1,6 @@
 /** The record of an order: figures and a drawing for the cart and the workshop, as JSON. */
 import {garmentTitle, panelMarks} from '../model/garment/panel-marks.js';
-import type {FiledGarment, FiledPrint} from '../model/documents/stored-design.js';
+import type {FiledGarment, FiledPrint} from '../model/documents/filed-design.js';
 import {decidedOf} from '../model/design/design.js';
 import {seamCount} from '../model/result/seam-groups.js';
 import {thumbnail} from '../picture/thumbnail.js';

@@ -9,8 +9,8 @@ import type {SolveHooks} from '../model/design/solve-problem.js';
 import {checkScaled} from '../model/result/unscaled-print.js';
 import {resultText, sha256Of} from '../model/documents/result-text.js';
 import type {SolveResult} from '../model/result/result.js';
+import {printOfStored} from '../model/documents/filed-design.js';
 import {
-  printOfStored,
   readStoredDesign,
   writeStoredDesign,
   type StoredDesign,

@@ -8,7 +8,7 @@ import {dpiLimits} from '../model/print/print-scale.js';
 import {rectangularRepeat, type Rectangle} from '../model/print/rectangular-repeat.js';
 import {SolverError} from '../model/base/failure.js';
 import {checkScaled} from '../model/result/unscaled-print.js';
-import {pixels} from './document-checks.js';
+import {pixels} from '../solver/requests/later-checks.js';
 import type {PrintWithTile} from '../picture/fabric.js';
 import {repeatSvg} from '../picture/repeat-svg.js';
 

@@ -1,7 +1,7 @@
 /** Checks of settings that several files of this folder share. */
 import {bytes, checkedLater, date, fields, having, type Checks} from '../model/base/arguments.js';
 import {dxfStyles, dxfUnits, type DxfFormat} from '../model/base/dxf-format.js';
-import {flag, listOf, oneOf, text, type Read} from '../model/base/read.js';
+import {fail, flag, listOf, oneOf, text, type Read} from '../model/base/read.js';
 import type {DxfOptions} from '../cutting/out/sheet-dxf.js';
 import type {GlbOptions} from '../files/glb/glb.js';
 import type {SizeSheet} from '../paper/several-sizes.js';
@@ -14,6 +14,7 @@ export const title = text(/\S/, 'text that is not blank');
 
 /** Accepts an object that JSON can hold. @throws {SolverError} `notJson` or `number` */
 export const json: Read<object> = (value, at) => {
+  if (ArrayBuffer.isView(value)) fail(at, 'an object');
   jsonText(having({})(value, at), at);
   return value as object;
 };

@@ -24,6 +24,7 @@ import {
   runPhotoObject,
   runPhotoTile,
 } from './answers/photo.js';
+import {requestChecks} from './requests/request-checks.js';
 import {plainNames, type Requests} from './requests/requests.js';
 import type {Helpers} from './threads/helpers.js';
 import {run, runProof, runToPattern, Solver} from './answers/solve.js';
@@ -62,6 +63,8 @@ const shareSlice = 20;
 /** Builds the table. @param helpers other threads for long searches; none by default */
 export const answerTable = (helpers?: Helpers): AnswerTable<Requests, SolverModules> => ({
   modules: {seamwise, drape, marker, photo},
+  checks: requestChecks,
+  laterChecks: async () => (await import('./requests/later-checks.js')).laterChecks,
   requests: {
     solve: {
       module: 'seamwise',

@@ -20,6 +20,7 @@ import type {
 import type {MeshedPattern, Proof, SolveResult} from '../model/result/result.js';
 import {standingOf} from '../model/result/visible-seams.js';
 import type {DetectedSymmetries, MeasuredSymmetry, Symmetry} from '../model/garment/symmetries.js';
+import {checkHooks, checkReadable, requestOf} from './requests/call-checks.js';
 import {
   drapeTexts,
   garmentTexts,
@@ -32,7 +33,7 @@ import {
   type NamedSolveHooks,
   type Requests,
 } from './requests/requests.js';
-import {askedSearch, described, singleProblem, unsewnPrint} from './search/asked-search.js';
+import {askingOptions, described, unsewnPrint} from './search/asked-parts.js';
 
 /** Hooks for any request. Hooks for events that a request does not report are not called. */
 export type QuestionHooks = SolveHooks & ProofHooks;
@@ -126,6 +127,13 @@ export interface SolverService {
   photoObject(request: PhotoObjectRequest, hooks?: PhotoHooks): Promise<PhotoObject>;
 }
 
+/** The problem of one solve. @throws {SolverError} for invalid options */
+async function singleOf(problem: Problem, called?: string): Promise<SingleProblem> {
+  if (!askingOptions(problem)) return problem as SingleProblem;
+  const {singleProblem} = await import('./search/asked-search.js');
+  return singleProblem(problem, called);
+}
+
 /** The problem on its print after the wash. @throws {SolverError} for contradictory fabric */
 async function withSewnPrint(problem: SingleProblem): Promise<SingleProblem> {
   const print = unsewnPrint(problem);
@@ -145,7 +153,11 @@ export abstract class TextService implements SolverService {
   ): Promise<Requests[K]['answer']>;
 
   async solve(problem: Problem, hooks: NamedSolveHooks = {}): Promise<SolveResult> {
+    checkHooks('solve', hooks);
     hooks.signal?.throwIfAborted();
+    checkReadable('solve', problem);
+    if (!askingOptions(problem)) return this.#solveOnce(problem as SingleProblem, hooks);
+    const {askedSearch, singleProblem} = await import('./search/asked-search.js');
     const search = askedSearch(problem, hooks.names?.options);
     if (!search) return this.#solveOnce(singleProblem(problem, hooks.names?.options), hooks);
     const {bestAnswer} = await import('./search/best-answer.js');
@@ -167,12 +179,16 @@ export abstract class TextService implements SolverService {
   }
 
   async prepare(problem: Problem, hooks: NamedPrepareHooks = {}): Promise<MeshedPattern> {
-    const sewn = await withSewnPrint(singleProblem(problem, hooks.names?.options));
+    checkHooks('prepare', hooks);
+    checkReadable('prepare', problem);
+    const sewn = await withSewnPrint(await singleOf(problem, hooks.names?.options));
     return this.#ask('prepare', () => problemTexts(sewn, hooks.names), hooks);
   }
 
   async prove(problem: Problem, hooks: NamedProofHooks = {}): Promise<Proof> {
-    const sewn = await withSewnPrint(singleProblem(problem, hooks.names?.options));
+    checkHooks('prove', hooks);
+    checkReadable('prove', problem);
+    const sewn = await withSewnPrint(await singleOf(problem, hooks.names?.options));
     return this.#ask('prove', () => problemTexts(sewn, hooks.names), hooks);
   }
 
@@ -226,7 +242,8 @@ export abstract class TextService implements SolverService {
     request: () => Requests[K]['request'],
     hooks: HooksOf<Requests[K]>,
   ): Promise<Requests[K]['answer']> {
+    checkHooks(kind, hooks);
     hooks.signal?.throwIfAborted();
-    return this.ask(kind, request(), hooks);
+    return this.ask(kind, requestOf(kind, request), hooks);
   }
 }

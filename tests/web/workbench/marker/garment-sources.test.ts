@@ -2,7 +2,7 @@ import {describe, expect, it, vi} from 'vitest';
 
 import type {Design} from '@/model/design/design.js';
 import {writeProject} from '@/model/documents/project.js';
-import {written} from '@/model/design/read-design.js';
+import {written} from '@/model/design/written-design.js';
 import {garmentsIn} from '@/workbench/marker/garment-sources.js';
 import {
   addedFrom,

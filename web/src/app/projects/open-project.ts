@@ -3,7 +3,7 @@ import type {Design, DesignGarment} from '../../model/design/design.js';
 import {mapped, type History} from '../../model/design/history.js';
 import {nameOf} from '../../model/documents/project-name.js';
 import {fieldOf} from '../../model/base/read.js';
-import {heldOf, written, type Written} from '../../model/design/read-design.js';
+import {heldOf, written, type Written} from '../../model/design/written-design.js';
 import type {Step} from '../../workbench/state.js';
 import type {Autosave} from '../storage/autosave.js';
 

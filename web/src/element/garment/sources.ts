@@ -17,7 +17,7 @@ import {SolverError, type FailureCode} from '../../model/base/failure.js';
 import {colourwayOf, type Print} from '../../model/print/repeating-print.js';
 import {fieldOf, Malformed} from '../../model/base/read.js';
 import {repeatOf} from '../../model/print/repeat.js';
-import {printOfStored} from '../../model/documents/stored-design.js';
+import {printOfStored} from '../../model/documents/filed-design.js';
 import {FileError} from '../../model/base/versioned-file.js';
 import {jsonText} from '../../solver/requests/requests.js';
 import {fetchedBy} from '../../model/base/fetched.js';

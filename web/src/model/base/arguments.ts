@@ -37,9 +37,13 @@ export const having =
     return value as T;
   };
 
-/** Accepts any value but an object whose fields throw; the function itself checks the fields. */
+/** Accepts any value but one with a part that throws; the function itself checks the parts. */
 export const readable = <T>(value: T): T => {
-  if (isObject(value) && !ArrayBuffer.isView(value)) Object.values(value);
+  const parts = new Set<unknown>([value]);
+  for (const part of parts) {
+    if (!isObject(part) || ArrayBuffer.isView(part)) continue;
+    for (const inner of Object.values(part) as unknown[]) if (isObject(inner)) parts.add(inner);
+  }
   return value;
 };
 

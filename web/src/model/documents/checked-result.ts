@@ -34,10 +34,15 @@ function piece(value: unknown, at: string): void {
   const {rest, shape: after} = shape({rest: listOf(point), shape: listOf(point)})(value, at);
   if (rest.length !== after.length) fail(`${at}.shape`, `as long as '${at}.rest'`);
   const vertex = below(rest.length);
-  const {outline} = shape({
-    name: (name: unknown, where: string) => (typeof name === 'string' ? name : fail(where, 'text')),
-    ...{outline: listOf(vertex), holes: listOf(listOf(vertex)), alignment: readAlignment},
-  })(value, at);
+  const {outline} = shape(
+    {
+      name: (name: unknown, where: string) =>
+        typeof name === 'string' ? name : fail(where, 'text'),
+      ...{outline: listOf(vertex), holes: listOf(listOf(vertex)), alignment: readAlignment},
+      triangles: listOf(listOf(vertex)),
+    },
+    {grainAngle: finite},
+  )(value, at);
   if (outline.length < 3) fail(`${at}.outline`, 'a list of at least three');
 }
 

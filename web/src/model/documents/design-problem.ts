@@ -4,7 +4,7 @@
 import {decisionsOf, printOf, type Decisions, type Design} from '../design/design.js';
 import type {Print} from '../print/repeating-print.js';
 import type {SingleProblem} from '../design/solve-problem.js';
-import {changesOf, printOfStored, printTextOf, type FiledDesign} from './stored-design.js';
+import {changesOf, printOfStored, printTextOf, type FiledDesign} from './filed-design.js';
 
 /**
  * Problem of these decisions.

@@ -12,8 +12,8 @@ import {
   ownTile,
   printMeasures,
   printSample,
-  written,
 } from '../design/read-design.js';
+import {written} from '../design/written-design.js';
 import {projectTitle} from './project-name.js';
 import {digestOf} from '../base/digest.js';
 import {fieldOf, Malformed, shape, text, type Read} from '../base/read.js';

@@ -3,7 +3,8 @@
  * own.
  */
 import type {Design} from '../design/design.js';
-import {readDesign, written} from '../design/read-design.js';
+import {readDesign} from '../design/read-design.js';
+import {written} from '../design/written-design.js';
 import type {Point} from '../geometry/vectors.js';
 import {projectTitle} from './project-name.js';
 import {number, pairOf, shape} from '../base/read.js';

@@ -4,6 +4,7 @@
  * cm.
  */
 import {SolverError} from '../base/failure.js';
+import {shown} from '../base/read.js';
 import {minus, type Point} from '../geometry/vectors.js';
 import {rectangularRepeat, type Rectangle} from './rectangular-repeat.js';
 import {fittingGroup, latticeVectors, repeatOf} from './repeat.js';
@@ -20,12 +21,14 @@ const same = 1e-9;
 
 type Sewable = CellOf & Pick<Print, 'fabric' | 'delivered' | 'unscaled' | 'title'>;
 
+/** A value of a description, 0 without one; NaN for what is no number. */
+const amount = (value: unknown): number =>
+  typeof (value ?? 0) === 'number' ? Number(value ?? 0) : NaN;
+
 /** Returns whether two descriptions of fabric have the same values. */
 export function isSameFabric(one: Delivered = {}, other: Delivered = {}): boolean {
-  const values = ({shrinkage, measured}: Delivered): readonly number[] => [
-    ...[shrinkage?.warp ?? 0, shrinkage?.weft ?? 0],
-    ...[measured?.across ?? 0, measured?.up ?? 0],
-  ];
+  const values = ({shrinkage, measured}: Delivered): readonly number[] =>
+    [shrinkage?.warp, shrinkage?.weft, measured?.across, measured?.up].map(amount);
   const others = values(other);
   return values(one).every((value, k) => Math.abs(value - (others[k] ?? 0)) < same);
 }
@@ -52,7 +55,7 @@ export function checkDelivered(print: Sewable): void {
     const share: unknown = shrinkage?.[way] ?? 0;
     if (typeof share === 'number' && share >= least && share <= most) continue;
     throw wrong(
-      `The shrinkage along the ${way} is ${String(share)} %, but must be a number from ${least} to ${most}; measure the fabric before and after a wash.`,
+      `The shrinkage along the ${way} is ${shown(share)} %, but must be a number from ${least} to ${most}; measure the fabric before and after a wash.`,
     );
   }
   if (!measured) return;
@@ -72,10 +75,10 @@ export function checkDelivered(print: Sewable): void {
     ['up', measured.up, stated.height],
   ] as const;
   for (const [way, value, own] of pairs) {
-    const stretch = value === undefined ? 1 : value / own;
+    const stretch = value === undefined ? 1 : amount(value) / own;
     if (stretch > 1 / mostStretch && stretch < mostStretch) continue;
     throw wrong(
-      `The repeat measures ${short(value ?? 0)} cm ${way}, but ${short(own)} cm are stated, which contradict each other; measure one repeat straight ${way} the fabric, or correct the print's size.`,
+      `The repeat measures ${short(amount(value))} cm ${way}, but ${short(own)} cm are stated, which contradict each other; measure one repeat straight ${way} the fabric, or correct the print's size.`,
     );
   }
 }

@@ -1,25 +1,27 @@
 /**
  * Codes of notes on a marker. They are part of the API: new ones may be added, but none may change.
  */
-export type LayNoteCode =
+export const layNoteCodes = [
   /** `pieces` are cut from other fabric. */
-  | 'plainPieces'
+  'plainPieces',
   /** The print never repeats along the fabric, so no length lets all plies start alike. */
-  | 'pliesUnlike'
+  'pliesUnlike',
   /** Each of `counts` plies is a whole number of repeats long; one repeat is `lengthsCm`. */
-  | 'pliesWhole'
+  'pliesWhole',
   /** Flaws are measured from the cut, and the print is assumed to start there. */
-  | 'flawsFromCut'
+  'flawsFromCut',
   /** The fabric is folded at `lengthsCm` from the left edge. */
-  | 'folded'
+  'folded',
   /** The print is not shifted under pieces on folded fabric, because the lower ply mirrors it. */
-  | 'foldKeepsPrint'
+  'foldKeepsPrint',
   /** Least and greatest length (`lengthsCm`), depending on the start of the print. */
-  | 'phaseRange'
+  'phaseRange',
   /**
    * Number of starts of the print at which not all pieces fit, and number of all starts (`counts`).
    */
-  | 'phaseNowhere';
+  'phaseNowhere',
+] as const;
+export type LayNoteCode = (typeof layNoteCodes)[number];
 
 /** Content of one sentence of `notes`, for translation. */
 export interface LayNote {

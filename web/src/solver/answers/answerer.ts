@@ -1,5 +1,7 @@
 /** Answers requests on the calling thread: queues, modules, and the table of answers. */
+import {checkArguments} from '../../model/base/arguments.js';
 import {SolverError} from '../../model/base/failure.js';
+import type {Read} from '../../model/base/read.js';
 import type {HooksOf, KindOf, RequestKind, RequestKinds} from '../requests/requests.js';
 import {brokenModule, loadingError, unlessAborted} from './failures.js';
 import {
@@ -44,12 +46,18 @@ interface Answering<Q extends RequestKind, Ms extends Modules, N extends keyof M
   answer(module: Ms[N], request: Q['request'], job: Job<Q>): Q['answer'] | Promise<Q['answer']>;
 }
 
+type Checks<R extends RequestKinds> = {readonly [K in keyof R]?: Read<R[K]['request']>};
+
 /**
  * All requests that a thread can answer, and their modules, each of which is loaded when it is
  * first needed.
  */
 export interface AnswerTable<R extends RequestKinds, Ms extends Modules> {
   readonly modules: {readonly [N in keyof Ms]: ModuleLoader<Ms[N]>};
+  /** Checks of the requests, before anything else. */
+  readonly checks: Checks<R>;
+  /** Checks that load with their first request. */
+  laterChecks?(): Promise<Checks<R>>;
   readonly requests: {
     readonly [K in keyof R]: {readonly [N in keyof Ms]: Answering<R[K], Ms, N>}[keyof Ms];
   };
@@ -76,11 +84,15 @@ export class Answerer<R extends RequestKinds, Ms extends Modules> {
   }
 
   /** Answers a request. @throws {SolverError}; the signal's reason, as soon as it fires */
-  answer<K extends KindOf<R>>(
+  async answer<K extends KindOf<R>>(
     kind: K,
     request: R[K]['request'],
     hooks: HooksOf<R[K]>,
   ): Promise<R[K]['answer']> {
+    const table = this.#table;
+    const check = table.checks[kind] ?? (await table.laterChecks?.())?.[kind];
+    if (!check) throw new Error(`No check for requests '${kind}'.`);
+    checkArguments(kind, ['request', request, check]);
     const answering: Answering<R[K], Ms, keyof Ms> = this.#table.requests[kind];
     const {queue} = answering;
     const work = () => this.#onModule(answering, request, hooks);

@@ -145,11 +145,9 @@ const cornersOf = ([left = NaN, top = NaN, right = NaN, bottom = NaN]: Float64Ar
     [left, bottom],
   ] as const satisfies readonly Point[];
 
-/** Error of a failure, with a message that begins and ends like a sentence. */
-function photoError({message, ...failure}: ModuleFailure): Error {
-  const whole = /[.!?]$/.test(message) ? message : `${message}.`;
-  return toError({...failure, message: whole.charAt(0).toUpperCase() + whole.slice(1)});
-}
+/** Error of a failure, with a message that begins like a sentence. */
+const photoError = ({message, ...failure}: ModuleFailure): Error =>
+  toError({...failure, message: message.charAt(0).toUpperCase() + message.slice(1)});
 
 /** A name from the module, checked against the known names. */
 function known<T extends string>(names: readonly T[], name: string): T {

@@ -220,7 +220,7 @@ export function toError({code, message, piece, seam, reason}: ModuleFailure): So
   const why = known.find((one) => one === reason);
   return new SolverError({
     code: failureCode(code),
-    message,
+    message: /[.!?]$/.test(message) ? message : `${message}.`,
     piece: piece < 0 ? null : piece,
     seam: seam < 0 ? null : seam,
     ...(why && {reason: why}),

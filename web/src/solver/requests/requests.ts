@@ -130,13 +130,13 @@ export interface NamedProofHooks extends ProofHooks, Pick<NamedSolveHooks, 'name
 export type NamedPrepareHooks = Pick<NamedSolveHooks, 'signal' | 'names'>;
 
 /** A garment as text, and its name in messages. */
-interface GarmentTexts {
+export interface GarmentTexts {
   readonly garment: string;
   readonly name: string;
 }
 
 /** A garment, and a symmetry file with one symmetry of it. */
-interface MirrorTexts extends GarmentTexts {
+export interface MirrorTexts extends GarmentTexts {
   readonly symmetries: string;
 }
 

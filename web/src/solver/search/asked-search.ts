@@ -1,11 +1,6 @@
 /** Problems that ask for several solves, and the problems of the single solves. */
 import {groupTable} from '../../model/base/core-tables.js';
-import type {
-  PrintSizes,
-  PrintTurns,
-  ProblemOptions,
-  SolveOptions,
-} from '../../model/design/options.js';
+import type {PrintSizes, PrintTurns, ProblemOptions} from '../../model/design/options.js';
 import type {Problem, SingleProblem} from '../../model/design/solve-problem.js';
 import {scaleLimits} from '../../model/print/print-scale.js';
 import {asVariant, mostTurn, type PrintVariant} from '../../model/print/print-variant.js';
@@ -15,7 +10,8 @@ import {shown} from '../../model/base/read.js';
 import type {SolveResult} from '../../model/result/result.js';
 import type {SeamWeights} from '../../model/result/seam-groups.js';
 import {checkScaled} from '../../model/result/unscaled-print.js';
-import {checkProblem, plainNames} from '../requests/requests.js';
+import {plainNames} from '../requests/requests.js';
+import {askingOptions, objectOf} from './asked-parts.js';
 
 /** A problem of several solves. */
 export interface AskedSearch {
@@ -37,32 +33,6 @@ export interface AskedSearch {
 const sizesOfRange = 11;
 const mostSizes = 32;
 const mostTurns = 8;
-
-/** The part as an object; undefined if it is none, which the core reports. */
-function objectOf<T extends object>(part: T | string | undefined): T | undefined {
-  if (typeof part !== 'string') return typeof part === 'object' ? part : undefined;
-  try {
-    const value: unknown = JSON.parse(part);
-    return typeof value === 'object' && value !== null ? (value as T) : undefined;
-  } catch {
-    return undefined;
-  }
-}
-
-/**
- * The problem's options, if they ask for more than one solve or for another size. Undefined for
- * text without the words in question, so that other options are not parsed twice.
- */
-function askingOptions(problem: Problem): ProblemOptions | undefined {
-  checkProblem(problem);
-  const {options} = problem;
-  if (typeof options === 'string' && !/"(printSize|printTurn|auto)"/.test(options)) {
-    return undefined;
-  }
-  const asked = objectOf(options);
-  const {printSize, printTurn, effort} = asked ?? {};
-  return (printSize ?? printTurn) !== undefined || effort === 'auto' ? asked : undefined;
-}
 
 /** @throws {SolverError} unless a value of the options is a number within limits */
 function checkedNumber(
@@ -225,35 +195,4 @@ export function chosenProblem(
     scale: Number(((print.scale ?? 1) / (own?.scale ?? 1)).toFixed(9)),
     turnDeg: (print.turnDeg ?? 0) - (own?.turnDeg ?? 0),
   });
-}
-
-/**
- * The print of a problem if its file states shrinkage or a measured repeat that are yet to be
- * applied; undefined for any other.
- */
-export function unsewnPrint({print}: Pick<Problem, 'print'>): Print | undefined {
-  if (typeof print === 'string' && !/"(shrinkage|measured)"/.test(print)) return undefined;
-  const asked = objectOf<Print>(print);
-  const {fabric, delivered} = asked ?? {};
-  return !delivered && (fabric?.shrinkage ?? fabric?.measured) ? asked : undefined;
-}
-
-/** The result with size, turn, fabric and effort of its problem, which the core does not know. */
-export function described(result: SolveResult, problem: SingleProblem): SolveResult {
-  const known = <T extends object>(part: T | string | undefined, field: string): T | undefined =>
-    typeof part !== 'string' || part.includes(`"${field}"`) ? objectOf(part) : undefined;
-  const scale = known<Print>(problem.print, 'scale')?.scale ?? 1;
-  const turnDeg = known<Print>(problem.print, 'turnDeg')?.turnDeg ?? 0;
-  const delivered = known<Print>(problem.print, 'delivered')?.delivered;
-  const effort = known<SolveOptions>(problem.options, 'effort')?.effort ?? 1;
-  return {
-    ...result,
-    print: {
-      ...result.print,
-      ...(scale !== 1 && {scale}),
-      ...(turnDeg !== 0 && {turnDeg}),
-      ...(delivered && {delivered}),
-    },
-    ...(effort !== 1 && {metrics: {...result.metrics, effort}}),
-  };
 }

@@ -1,5 +1,6 @@
 /** Answers requests of another thread. */
 import {failureOf, SolverError, type Failure} from '../../model/base/failure.js';
+import {shown} from '../../model/base/read.js';
 import {Answerer, type AnswerTable} from '../answers/answerer.js';
 import {internalError} from '../answers/failures.js';
 import type {Modules, WasmSources} from '../module/shared-module.js';
@@ -29,8 +30,7 @@ export function serve<R extends RequestKinds, Ms extends Modules>(
 
   const answer = async (message: RequestMessage<R>): Promise<void> => {
     const {job, name, request} = message;
-    const hooksGiven: unknown = message.hooks;
-    if (!Object.hasOwn(table.requests, name) || !Array.isArray(hooksGiven)) {
+    if (!isKnown(message, table.requests)) {
       post({kind: 'failed', job, failure: failureOf(unknownRequest(name))}, []);
       return;
     }
@@ -83,14 +83,32 @@ export function serve<R extends RequestKinds, Ms extends Modules>(
 function isMessage(value: unknown): boolean {
   if (typeof value !== 'object' || value === null) return false;
   const {kind, sources, job} = value as Readonly<Record<string, unknown>>;
-  if (kind === 'modules') return typeof sources === 'object' && sources !== null;
+  if (kind === 'modules') return isSources(sources);
   return kind !== 'request' || Number.isFinite(job);
 }
+
+/** Returns whether the request is one of the table, with a list of names as its hooks. */
+const isKnown = (message: {readonly name: unknown; readonly hooks: unknown}, requests: object) =>
+  typeof message.name === 'string' &&
+  Object.hasOwn(requests, message.name) &&
+  isListOfText(message.hooks);
+
+const isListOfText = (value: unknown): boolean =>
+  Array.isArray(value) &&
+  !value.includes(undefined) &&
+  value.every((entry) => typeof entry === 'string');
+
+const isSources = (value: unknown): boolean =>
+  typeof value === 'object' &&
+  value !== null &&
+  Object.values(value).every(
+    (source: unknown) => typeof source === 'string' || source instanceof WebAssembly.Module,
+  );
 
 const unknownRequest = (name: unknown): SolverError =>
   new SolverError({
     code: 'internal',
-    message: `The solver has no request '${String(name)}'; load page and worker from one version.`,
+    message: `The solver has no request ${shown(name)}; load page and worker from one version.`,
   });
 
 /** Sources of modules, typed by the requesting thread. */

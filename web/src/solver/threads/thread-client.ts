@@ -125,7 +125,7 @@ export class ThreadClient<R extends RequestKinds> {
       this.#thread?.post(job.message, job.transfer);
       job.posted = true;
     } catch (error) {
-      this.#take(number)?.reject(error);
+      this.#take(number)?.reject(unsendable(job.message.name, error));
     }
   }
 
@@ -229,6 +229,16 @@ export class ThreadClient<R extends RequestKinds> {
     }
   }
 }
+
+/** Error for a request that cannot be copied to another thread. */
+const unsendable = (name: string, cause: unknown): SolverError =>
+  new SolverError(
+    {
+      code: 'options',
+      message: `${name}: a part of its arguments cannot be sent to the solver's thread; pass plain values.`,
+    },
+    {cause},
+  );
 
 /** Callbacks of a request, by the names of its hooks. `onBegin` is always among them. */
 function listenersOf(hooks: object): Map<string, (value: unknown) => void> {
