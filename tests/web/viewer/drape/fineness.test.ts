@@ -22,7 +22,12 @@ it('gives up multisampling first, then pixels, and no more of them than half of 
 
 it('is not coarser for one late frame, nor for a page that was asleep', () => {
   expect(after([...frames(5, 17), 60, ...frames(5, 17)]).now).toBe(finest);
-  expect(after([5000, 5000, 5000, 5000]).now).toBe(finest);
+  expect(after([...frames(5, 17), 5000, ...frames(5, 17)]).now).toBe(finest);
+});
+
+it('is as coarse as it gets after three frames of software rendering', () => {
+  expect(after(frames(3, 300)).now).toEqual({samples: 0, ratio: 0.5});
+  expect(after(frames(3, 5000)).now).toEqual({samples: 0, ratio: 0.5});
 });
 
 it('tries finer frames after a while in time, and waits longer after a trial in vain', () => {

@@ -260,7 +260,7 @@ export class DrapeDrawing extends SceneDrawing<DrapeView> {
         // reduced motion: only the first shape and the last
         if (shown && quiet.matches && !isFinal) return;
         shown = !isFinal;
-        view.pose(positions);
+        view.pose(positions, isFinal);
         this.#isShaped = true;
         this.#tellDrawn();
       },

@@ -24,6 +24,8 @@ import {DrapeScene, type Marked} from './drape-scene.js';
  * the zoom. [ms]
  */
 const rest = 150;
+/** The same delay between two poses of a garment that still moves. [ms] */
+const betweenPoses = 1000;
 /** Turn for a drag. [radians per CSS px] */
 const dragTurn = 0.007;
 /** Greatest distance of a pointer from a seam that it selects. [CSS px] */
@@ -187,11 +189,14 @@ export class DrapeView {
     this.#worn.mesh = mesh;
   }
 
-  /** Moves the mesh's vertices; x, y, z for each. [cm] */
-  pose(positions: Float32Array): void {
+  /**
+   * Moves the mesh's vertices; x, y, z for each. [cm]
+   * @param isFinal false while the garment moves on
+   */
+  pose(positions: Float32Array, isFinal: boolean): void {
     this.#worn.pose = positions;
     this.#screen.request();
-    this.#stir();
+    this.#stir(isFinal ? rest : betweenPoses);
   }
 
   /** Shows nothing until another mesh is set. */
@@ -318,8 +323,8 @@ export class DrapeView {
     if (this.#camera.isTurning) this.#options.onMoved?.();
   }
 
-  /** Marks the view as moving until it has rested for a while. */
-  #stir(): void {
+  /** Marks the view as moving until it has rested for a time. [ms] */
+  #stir(time = rest): void {
     clearTimeout(this.#pause);
     this.#pause = setTimeout(() => {
       this.#pause = undefined;
@@ -329,7 +334,7 @@ export class DrapeView {
       const height = 2 * orbit.distance * Math.tan(fieldOfView / 2);
       this.#tile.sharpen(this.#screen.raster.height / height);
       this.#options.onMoved?.();
-    }, rest);
+    }, time);
   }
 
   #paper(width: number, {orbit, ground, hasWipe = false}: Seen = {}): Paper {

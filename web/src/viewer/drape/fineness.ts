@@ -26,11 +26,11 @@ const steps: readonly Fineness[] = [
 const slowest = 36;
 /** Mean frame time that leaves room for more detail. [ms] */
 const fast = 24;
-/** Least time that is not a frame: the page was asleep. [ms] */
-const asleep = 1000;
+/** A frame that takes this long leaves no time for medium detail: software rendering. [ms] */
+const hopeless = 250;
 /**
  * Weight of a new frame in the running mean. Three slow frames make it coarser, since two are in
- * flight.
+ * flight; one does not, as after a page was hidden.
  */
 const weight = 0.1;
 /**
@@ -54,16 +54,15 @@ export class MovingFineness {
 
   /** @param time from one frame's drawing to the earliest next one [ms] */
   took(time: number): void {
-    if (time > asleep) return;
     this.#mean += weight * (Math.min(time, 2 * slowest) - this.#mean);
     this.#inTime = this.#mean < fast ? this.#inTime + 1 : 0;
     if (this.#mean > slowest && this.#step < steps.length - 1) {
       if (this.#isTrial) this.#patience *= 2;
-      this.#turn(1);
+      this.#turn(time > hopeless ? steps.length - 1 - this.#step : 1);
     } else if (this.#inTime > this.#patience && this.#step > 0) this.#turn(-1);
   }
 
-  #turn(by: 1 | -1): void {
+  #turn(by: number): void {
     this.#step += by;
     this.#isTrial = by < 0;
     this.#mean = fast;
