@@ -6,6 +6,7 @@ import {seamCount, type SeamCount} from '../model/result/seam-groups.js';
 import {seamGroupsOf} from '../scene/group-states.js';
 import type {SolverService} from '../solver/service.js';
 import {DesignFindings, NewestTask} from './background-task.js';
+import {maySpend} from './considerate.js';
 import {idle, paused} from './idle.js';
 import type {Remedy} from '../remedies/remedy.js';
 import {provenShare} from '../model/base/core-tables.js';
@@ -144,13 +145,14 @@ export class Proving {
     return this.#bounds.of(design);
   }
 
-  /** Follows a solved design. */
+  /** Follows a solved design, if the device permits. */
   async follow(design: Design, {metrics}: SolveResult): Promise<void> {
     this.stop();
     const {method, searchBound, searchCost} = metrics;
     if (method !== 'best' || searchBound === 1 || this.#bounds.isFinished(design)) return;
     const running = this.#task.begin();
     await paused(running.signal);
+    if (!(await maySpend())) return;
     const late = setTimeout(() => {
       this.#bounds.finish(design); // a longer proof is not worth it
       running.abort();
