@@ -13,7 +13,10 @@ const status = (page: Page): Promise<string | null> =>
   page.locator('sw-drape-pane [role=status]').textContent();
 
 it('has no script that runs for more than 50 ms while a drape is shown and settles', async () => {
-  const page = await openPage({viewport: {width: 1300, height: 800}});
+  const page = await openPage({
+    viewport: {width: 1300, height: 800},
+    reducedMotion: 'no-preference',
+  });
   await solved(page);
   await page.waitForTimeout(3000); // excludes the searches after an answer
   const runs = await scriptRuns(page, async () => {

@@ -5,7 +5,7 @@ import {expect, it} from 'vitest';
 
 import type {SeamwisePage} from '@/app/page.js';
 import {bytesOf} from '../../support/page/browser.js';
-import {button, saved, solved, usePage} from '../../support/page/page.js';
+import {button, saved, smallest, solved, usePage} from '../../support/page/page.js';
 import {readGlb} from '../../support/drape/read-glb.js';
 import {frames} from '../../support/page/waiting.js';
 
@@ -13,7 +13,9 @@ const openPage = usePage();
 
 /** The page with the drape instead of the pattern. */
 async function openWorn(): Promise<Page> {
-  const page = await openPage({viewport: {width: 1300, height: 800}});
+  const page = await openPage({
+    ...{viewport: {width: 1300, height: 800}, reducedMotion: 'no-preference'},
+  });
   await solved(page);
   await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
   const status = page.locator('sw-drape-pane [role=status]');
@@ -22,7 +24,10 @@ async function openWorn(): Promise<Page> {
 }
 
 it('shows the garment worn in place of the pattern, beside it, and marks in both what is picked in one', async () => {
-  const page = await openPage({viewport: {width: 1300, height: 800}});
+  const page = await openPage({
+    ...{query: smallest, viewport: {width: 1100, height: 640}},
+    reducedMotion: 'no-preference', // shows the garment on its way, and flies to what is picked
+  });
   await solved(page);
   const views = page.locator('sw-editor .views');
   const worn = page.locator('sw-drape-pane');

@@ -3,7 +3,7 @@ import type {Page} from 'playwright-core';
 import {expect, it, vi} from 'vitest';
 
 import type {SeamwisePage} from '@/app/page.js';
-import {showSample, solved, usePage} from '../../support/page/page.js';
+import {showSample, smallest, solved, usePage} from '../../support/page/page.js';
 import {frames} from '../../support/page/waiting.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
@@ -17,7 +17,10 @@ it(
   'never shows an empty view while print, colours and size change',
   {tags: ['thorough']},
   async () => {
-    const page = await openPage({viewport: {width: 1300, height: 800}});
+    const page = await openPage({
+      viewport: {width: 1300, height: 800},
+      reducedMotion: 'no-preference',
+    });
     await solved(page);
     await showSample(page, 'tee');
     await page.locator('sw-editor .views').getByRole('button', {name: 'Garment'}).click();
@@ -50,7 +53,7 @@ it(
 );
 
 it('is looked at and walked over by keys alone', async () => {
-  const page = await openPage({viewport: {width: 1300, height: 800}, reducedMotion: 'reduce'});
+  const page = await openPage({query: smallest, viewport: {width: 1100, height: 640}});
   await solved(page);
   const pressed = async (name: string): Promise<void> => {
     for (let k = 0; k < 80; k++) {

@@ -46,11 +46,13 @@ function watch(): void {
   );
 }
 
+const moving = {before: watch, reducedMotion: 'no-preference'} as const;
+
 it(
   'shares one graphics context and one worker that drapes, and drapes those in view',
   {tags: ['thorough']},
   async () => {
-    const {put, page} = await openPage({before: watch, viewport: {width: 1200, height: 720}});
+    const {put, page} = await openPage({...moving, viewport: {width: 1200, height: 720}});
     let workers = 0;
     page.on('worker', () => {
       workers = Math.max(workers, page.workers().filter((one) => !isHelper(one)).length);
@@ -97,7 +99,7 @@ it(
   'settles in a tab that is put away, and is drawn once it is back',
   {tags: ['thorough']},
   async () => {
-    const {put, page, run} = await openPage({before: watch, viewport: {width: 700, height: 600}});
+    const {put, page, run} = await openPage({...moving, viewport: {width: 700, height: 600}});
     await put(tee.replace('alt=', 'view="garment" alt='));
     await page.waitForFunction(() => worn.draped.size > 0, undefined, patient);
     const browser = await page.context().newCDPSession(page);
@@ -127,7 +129,7 @@ it(
   'draws nothing while the document is hidden, nor turns, and shows the settled garment afterwards',
   {tags: ['thorough']},
   async () => {
-    const {put, page} = await openPage({before: watch, viewport: {width: 700, height: 600}});
+    const {put, page} = await openPage({...moving, viewport: {width: 700, height: 600}});
     await page.evaluate(watchDrawing);
     const show = (state: DocumentVisibilityState): Promise<void> =>
       page.evaluate((visibilityState) => {

@@ -196,7 +196,10 @@ it(
 );
 
 it('is drawn as finely after it has moved as before', {tags: ['thorough']}, async () => {
-  const {page, put} = await openPage({viewport: {width: 600, height: 450}});
+  const {page, put} = await openPage({
+    viewport: {width: 600, height: 450},
+    reducedMotion: 'no-preference',
+  });
   await page.clock.install();
   await put(worn);
   await page.locator('seamwise-garment [part=poster]').waitFor({state: 'hidden'});

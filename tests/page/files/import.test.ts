@@ -8,7 +8,7 @@ import {describe, expect, it, vi} from 'vitest';
 import {barriers} from '../../support/page/barriers.js';
 import {designOf} from '../../support/page/design.js';
 import {choose, hand, type HandedFile} from '../../support/page/files.js';
-import {solved, usePage} from '../../support/page/page.js';
+import {smallest, solved, usePage} from '../../support/page/page.js';
 import {pdfOf, tilesOf, wordsPage} from '../../support/files/drawn-pdf.js';
 import {english, piecesIn, plainSheet} from '../../support/files/paper-patterns.js';
 import {plainDxf, type PlainPiece} from '../../support/files/plain-dxf.js';
@@ -40,7 +40,7 @@ async function offered(page: Page, file: HandedFile): Promise<Locator> {
 }
 
 async function quietPage(options: Parameters<typeof openPage>[0] = {}): Promise<Page> {
-  const page = await openPage(options);
+  const page = await openPage({query: smallest, ...options});
   await solved(page);
   return page;
 }

@@ -2,7 +2,7 @@
 import {beforeAll, describe, expect, it, vi} from 'vitest';
 
 import {barriers} from '../../support/page/barriers.js';
-import {button, solved, usePage} from '../../support/page/page.js';
+import {button, smallest, solved, usePage} from '../../support/page/page.js';
 import {designOf} from '../../support/page/design.js';
 import {
   bring,
@@ -40,7 +40,7 @@ beforeAll(async () => {
 
 describe('a photograph', () => {
   it('becomes the print: dropped, read, measured, and no request leaves the page', async () => {
-    const page = await openPage();
+    const page = await openPage({query: smallest});
     await solved(page);
     const before = await designOf(page);
     const dialog = await openSheet(page);
@@ -85,7 +85,7 @@ describe('a photograph', () => {
   });
 
   it('is corrected by a corner, by keys too, and undone', async () => {
-    const page = await openPage();
+    const page = await openPage({query: smallest});
     const dialog = await openSheet(page);
     await give(page, photograph);
     await found(dialog);
@@ -112,7 +112,7 @@ describe('a photograph', () => {
   });
 
   it('is stopped at once, and read again when asked', async () => {
-    const page = await openPage();
+    const page = await openPage({query: smallest});
     let release = (): void => undefined;
     const stopped = new Promise<void>((resolve) => {
       release = resolve;
@@ -136,7 +136,7 @@ describe('a photograph', () => {
     'without a repeat is refused by one sentence, and the cell can be drawn',
     {tags: ['thorough']},
     async () => {
-      const page = await openPage();
+      const page = await openPage({query: smallest});
       const dialog = await openSheet(page);
       await give(page, decoy, 'noise.jpg');
       await dialog.getByRole('alert').waitFor(patient);
@@ -156,7 +156,7 @@ describe('a photograph', () => {
     'of unknown size is aligned, but neither cut nor laid until it is measured',
     {tags: ['thorough']},
     async () => {
-      const page = await openPage();
+      const page = await openPage({query: smallest});
       await solved(page);
       const dialog = await openSheet(page);
       await give(page, photograph);
@@ -182,7 +182,7 @@ describe('a photograph', () => {
 });
 
 it('is offered for a picture whose edges do not meet', {tags: ['thorough']}, async () => {
-  const page = await openPage();
+  const page = await openPage({query: smallest});
   await page.locator('sw-print-panel input[type=file]').setInputFiles({
     name: 'cut.png',
     mimeType: '',

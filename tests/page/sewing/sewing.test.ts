@@ -11,7 +11,7 @@ import type {GarmentDocument} from '@/model/garment/garment-document.js';
 import type {Point} from '@/model/geometry/vectors.js';
 import {barriers} from '../../support/page/barriers.js';
 import {choose, jsonFile} from '../../support/page/files.js';
-import {button, solved, usePage} from '../../support/page/page.js';
+import {button, smallest, solved, usePage} from '../../support/page/page.js';
 import {shirtSpecification} from '../../support/garments/shirts.js';
 
 vi.setConfig({testTimeout: 300_000}); // a busy machine is slow at everything
@@ -87,7 +87,7 @@ it(
   'is sewn by keys alone, and fits as the one whose seams it had',
   {tags: ['thorough']},
   async () => {
-    const page = await openPage();
+    const page = await openPage({query: smallest});
     await solved(page);
     await choose(page, 'My pattern', jsonFile('tee.json', stripped));
     await byHand(page);
@@ -160,7 +160,7 @@ async function click(page: Page, name: string, edge: number, keys: 'Shift'[] = [
 }
 
 it('is sewn by clicks, several edges as one side, split, left open and taken apart', async () => {
-  const page = await openPage();
+  const page = await openPage({query: smallest});
   await solved(page);
   await choose(page, 'My pattern', jsonFile('tee.json', stripped));
   await byHand(page);
@@ -228,7 +228,7 @@ const places = (page: Page): Promise<readonly string[]> =>
 const sides = async (page: Page): Promise<readonly string[]> => seamsOf(await garmentOf(page));
 
 it('sets sleeves in by keys alone, without a piece that moves', {tags: ['thorough']}, async () => {
-  const page = await openPage();
+  const page = await openPage({query: smallest});
   await solved(page);
   await choose(page, 'My pattern', jsonFile('shirt.json', shirtSpecification()));
   await byHand(page);

@@ -72,6 +72,9 @@ interface ChromiumOptions extends BrowserContextOptions {
   readonly maySay?: RegExp;
 }
 
+/** Software rendering draws a motion's frames slowly. */
+const usual = {viewport: {width: 1440, height: 900}, reducedMotion: 'reduce'} as const;
+
 /**
  * Opens pages in Chromium. Any message on the console fails the test, and so does a request to
  * another host.
@@ -93,9 +96,7 @@ export function useChromium(
   afterAll(() => browser.close());
 
   return async (url, {maySay: here, ...context} = {}) => {
-    const page = await (
-      await browser.newContext({viewport: {width: 1440, height: 900}, ...context})
-    ).newPage();
+    const page = await (await browser.newContext({...usual, ...context})).newPage();
     const hear = (text: string): void => {
       // software rendering is slow to return pixels, and logs it
       if (!text.includes('GPU stall') && !maySay?.test(text) && !here?.test(text)) said.push(text);

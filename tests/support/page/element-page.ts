@@ -66,7 +66,7 @@ export function useElementPage(
   });
   return async ({maySay, before, ...context} = {}) => {
     if (!browser || !served) throw new Error('The browser is not open yet.');
-    const page = await (await browser.newContext(context)).newPage();
+    const page = await (await browser.newContext({reducedMotion: 'reduce', ...context})).newPage();
     pages.push(page);
     const hear = (text: string): void => {
       // software rendering is slow to return pixels; a test's build contains Lit's development

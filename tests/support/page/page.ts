@@ -21,6 +21,9 @@ export interface PageOptions extends BrowserContextOptions {
   readonly maySay?: RegExp;
 }
 
+/** Query for the sample that is solved and draped soonest. */
+export const smallest = '?garment=garments/tee-xs.json';
+
 /** Opens the page for one test file. Any message on its console fails the test. */
 export function usePage(): (options?: PageOptions) => Promise<Page> {
   let browser: Browser;
@@ -42,6 +45,7 @@ export function usePage(): (options?: PageOptions) => Promise<Page> {
       beside?.context() ??
       (await browser.newContext({
         viewport: {width: 1440, height: 900},
+        reducedMotion: 'reduce', // software rendering draws a motion's frames slowly
         serviceWorkers: 'block', // only tests of the offline page need one
         ...context,
       }))
