@@ -71,7 +71,7 @@ it('sells what was chosen, gives it back, and has the workshop cut the same byte
     if (!isRight || isIsolated) refused.push(`${response.status()} ${response.url()}`);
   });
   await page.getByRole('link', {name: 'Tee'}).click();
-  await page.getByText('L', {exact: true}).click();
+  await page.getByText('XS', {exact: true}).click();
   await page.getByText('Snow crystal', {exact: true}).click();
   await page.locator('.colours[data-print="p6m"]').getByText('Mist').click();
   await page.getByRole('status').filter({hasText: 'The print meets'}).waitFor();
@@ -96,12 +96,12 @@ it('sells what was chosen, gives it back, and has the workshop cut the same byte
   expect(width).toBe(480);
 
   const cart = page.url();
-  await page.getByRole('link', {name: 'Tee, L', exact: true}).click();
+  await page.getByRole('link', {name: 'Tee, XS', exact: true}).click();
   await solved(page);
   const restored = await shown(page);
   expect(restored).toEqual({...sold, design: restored.design});
   expect(JSON.parse(restored.design)).toEqual(JSON.parse(sold.design));
-  expect(await page.getByRole('radio', {name: 'L', exact: true}).isChecked()).toBe(true);
+  expect(await page.getByRole('radio', {name: 'XS', exact: true}).isChecked()).toBe(true);
   expect(await page.getByRole('radio', {name: 'Snow crystal'}).isChecked()).toBe(true);
 
   await page.goto(cart);

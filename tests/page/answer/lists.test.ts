@@ -8,7 +8,7 @@ import {expect, it} from 'vitest';
 import type {Design} from '@/model/design/design.js';
 import type {Target, Workbench} from '@/workbench/workbench.js';
 import {designOf} from '../../support/page/design.js';
-import {button, showSample, solved, usePage} from '../../support/page/page.js';
+import {button, showSample, smallest, solved, usePage} from '../../support/page/page.js';
 
 const openPage = usePage();
 
@@ -28,7 +28,7 @@ const selection = (page: Page, name: 'pointed' | 'selected'): Promise<Target | u
 const options = async (page: Page): Promise<Design['options']> => (await designOf(page)).options;
 
 async function opened(): Promise<Page> {
-  const page = await openPage();
+  const page = await openPage({query: smallest});
   await showSample(page, 'raglan');
   await row(page, 'Centre back').waitFor();
   return page;

@@ -2,13 +2,13 @@
 import {expect, it} from 'vitest';
 
 import type {LayPlan} from '@/model/result/marker-plan.js';
-import {button, saved, usePage} from '../../support/page/page.js';
+import {button, saved, smallest, usePage} from '../../support/page/page.js';
 import {laid, layoutOf, pane, panel, rowOf} from '../../support/page/marker.js';
 
 const openPage = usePage();
 
 it('lays another size and several copies on one fabric, each in its colour, and takes them back', async () => {
-  const page = await layoutOf(await openPage());
+  const page = await layoutOf(await openPage({query: smallest}));
   const pieces = pane(page).locator('.piece');
   const list = panel(page).locator('sw-marker-garments li');
   await expect.poll(() => panel(page).locator('#add option[value="size:s"]').count()).toBe(1);

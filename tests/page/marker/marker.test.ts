@@ -5,7 +5,7 @@ import {expect, it} from 'vitest';
 import type {SeamwisePage} from '@/app/page.js';
 import type {LayPlan} from '@/model/result/marker-plan.js';
 import {barriers} from '../../support/page/barriers.js';
-import {button, saved, savedCut, solved, usePage} from '../../support/page/page.js';
+import {button, saved, savedCut, smallest, solved, usePage} from '../../support/page/page.js';
 import {
   bought,
   layoutOf,
@@ -27,7 +27,7 @@ const lies = async (page: Page): Promise<string | undefined> =>
   (await status(page))?.replace(/ \(moved .*\)$/, '');
 
 const openLayout = async (options: Parameters<typeof openPage>[0] = {}): Promise<Page> =>
-  layoutOf(await openPage(options));
+  layoutOf(await openPage({query: smallest, ...options}));
 
 it(
   'lays the pieces in their print, says what there is to buy, and marks what is picked everywhere',

@@ -5,7 +5,7 @@ import {describe, expect, it, vi} from 'vitest';
 import {sampleOf} from '../../support/level.js';
 import {designOf} from '../../support/page/design.js';
 import {choose, jsonFile, squares} from '../../support/page/files.js';
-import {button, cancelNext, progress, solved, usePage} from '../../support/page/page.js';
+import {button, cancelNext, progress, smallest, solved, usePage} from '../../support/page/page.js';
 import {printRadio} from '../../support/page/prints.js';
 
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
@@ -44,7 +44,7 @@ describe('a solver that breaks', () => {
   it.each(sampleOf(1, ['throw', 'close'] as const))(
     'by a %s is started again, and answers',
     async (end) => {
-      const page = await openPage({maySay: /out of order/});
+      const page = await openPage({query: smallest, maySay: /out of order/});
       await solved(page);
       await sabotage(page, end);
       await group(page, 'pgg');
@@ -59,7 +59,9 @@ describe('a solver that breaks', () => {
 });
 
 it('says so when the solver cannot be loaded, and solves once it can be', async () => {
-  const page = await openPage({maySay: /404|wasm|^Aborted|ArrayBuffer instantiation/i});
+  const page = await openPage({
+    ...{query: smallest, maySay: /404|wasm|^Aborted|ArrayBuffer instantiation/i},
+  });
   await solved(page);
   await page.route('**/*.wasm', (route) => route.fulfill({status: 404, body: 'gone'}));
   await page.reload();

@@ -10,6 +10,8 @@ import {printRadio} from '../../support/page/prints.js';
 vi.setConfig({testTimeout: 180_000}); // a busy machine is slow at everything
 
 const openPage = usePage();
+/** Software rendering takes as long to draw the worn garment as it has pixels. */
+const small = {viewport: {width: 1100, height: 640}};
 const phone = {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true};
 
 const ways = (page: Page) => page.getByRole('group', {name: 'Start', exact: true});
@@ -30,7 +32,7 @@ it('shows the garment in its print without the solver, and does not load the dra
 });
 
 it('begins with a symmetric garment and three ways, which go with the first action', async () => {
-  const page = await openPage({isFirst: true});
+  const page = await openPage({isFirst: true, ...small});
   await solved(page);
   const {garment, ...design} = await designOf(page);
   expect(garment.sample?.style).toBe('six-gore-skirt');
@@ -58,7 +60,7 @@ it('opens the files of a user from the first picture, on a phone', async () => {
 });
 
 it('shows the garment unmatched while Before is pressed', async () => {
-  const page = await openPage({isFirst: true});
+  const page = await openPage({isFirst: true, ...small});
   await solved(page);
   const before = button(page, 'Before').first();
   await before.hover();

@@ -1,7 +1,7 @@
 /** The page after opening, and a user's first actions. */
 import {expect, it} from 'vitest';
 
-import {button, cancelNext, saved, solved, usePage} from '../../support/page/page.js';
+import {button, cancelNext, saved, smallest, solved, usePage} from '../../support/page/page.js';
 import {printRadio} from '../../support/page/prints.js';
 
 const openPage = usePage();
@@ -51,7 +51,7 @@ it('names all that tests and screen readers rely on', async () => {
 });
 
 it('cancels in the same task, and aligns again when asked', async () => {
-  const page = await openPage();
+  const page = await openPage({query: smallest});
   await solved(page);
   const cancelled = await cancelNext(page);
   await page.getByLabel('Garment', {exact: true}).selectOption('princess-dress');
