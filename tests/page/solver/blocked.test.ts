@@ -9,6 +9,12 @@ import {caughtUp} from '../../support/page/waiting.js';
 
 const strips = {garment: JSON.stringify(twoStrips()), print: checks};
 
+/** Answers to the tee and to the strips in Node. */
+let inNode: readonly string[];
+beforeAll(async () => {
+  inNode = await Promise.all([tee, strips].map(async (one) => withoutTimes(await solve(one))));
+});
+
 /** Leases solvers with these workers' addresses, starts several solves at once and then another. */
 function solveWhile(page: Page, places: object) {
   return page.evaluate(
@@ -30,14 +36,14 @@ function solveWhile(page: Page, places: object) {
   );
 }
 
-async function expectSolved(
+function expectSolved(
   {heard, patterns, results}: Awaited<ReturnType<typeof solveWhile>>,
   reason: RegExp,
-): Promise<void> {
+): void {
   const message = expect.stringMatching(reason) as string;
   expect(heard).toEqual([{code: 'worker-blocked', message}]);
   expect(patterns).toEqual([4]);
-  const [large, small] = [withoutTimes(await solve(tee)), withoutTimes(await solve(strips))];
+  const [large, small] = inNode;
   expect(results.map(withoutTimes)).toEqual([large, small, small]);
 }
 
@@ -62,7 +68,7 @@ describe('where a worker cannot be had, a lease solves all the same and says so 
       /\(nothing is heard of it for [\d.]+ s\)/,
     ],
   ])('%s', async (_, places, reason) => {
-    await expectSolved(await solveWhile(page, places), reason);
+    expectSolved(await solveWhile(page, places), reason);
     await expect.poll(() => page.workers()).toEqual([]);
   });
 
@@ -171,7 +177,7 @@ describe("a page's policy", () => {
   it('may forbid workers', async () => {
     const policy = strictPolicy.replace("worker-src 'self'", "worker-src 'none'");
     await withPolicy(policy, async (page) => {
-      await expectSolved(await solveWhile(page, {}), /worker-src 'self'\.$/);
+      expectSolved(await solveWhile(page, {}), /worker-src 'self'\.$/);
       await expect.poll(() => page.workers()).toEqual([]);
     });
   });
