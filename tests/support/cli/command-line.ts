@@ -1,8 +1,11 @@
-/** The command line as users run it. */
+/** The command line: as users run it, or within the process of the tests, which starts nothing. */
 import {spawn} from 'node:child_process';
 import {fileURLToPath} from 'node:url';
 
-const program = fileURLToPath(new URL('../../../dist/cli/main.js', import.meta.url));
+import {vi} from 'vitest';
+
+const built = new URL('../../../dist/cli/', import.meta.url);
+const program = fileURLToPath(new URL('main.js', built));
 
 interface Outcome {
   readonly code: number | null;
@@ -10,8 +13,8 @@ interface Outcome {
   readonly err: string;
 }
 
-/** Runs the built program to its end. */
-export function seamwise(...words: string[]): Promise<Outcome> {
+/** Runs the built program to its end, as a process. */
+export function seamwiseProcess(...words: string[]): Promise<Outcome> {
   return new Promise((resolve, reject) => {
     const child = spawn(process.execPath, [program, ...words]);
     let [out, err] = ['', ''];
@@ -22,4 +25,45 @@ export function seamwise(...words: string[]): Promise<Outcome> {
       resolve({code, out, err});
     });
   });
+}
+
+/** Collects what the process writes to a stream, until the spy is restored. */
+function collected(stream: NodeJS.WriteStream): {text: string; readonly end: () => void} {
+  const found = {text: '', end: () => undefined as void};
+  const spy = vi.spyOn(stream, 'write').mockImplementation((chunk) => {
+    found.text += typeof chunk === 'string' ? chunk : Buffer.from(chunk).toString();
+    return true;
+  });
+  found.end = () => {
+    spy.mockRestore();
+  };
+  return found;
+}
+
+async function withinProcess(words: readonly string[]): Promise<Outcome> {
+  const {run} = (await import(new URL('run.js', built).href)) as {
+    readonly run: (words: readonly string[]) => Promise<void>;
+  };
+  const [out, err] = [collected(process.stdout), collected(process.stderr)];
+  const earlier = process.exitCode;
+  process.exitCode = 0;
+  try {
+    await run(words);
+    return {code: process.exitCode, out: out.text, err: err.text};
+  } finally {
+    process.exitCode = earlier;
+    for (const stream of [out, err]) stream.end();
+  }
+}
+
+let last: Promise<unknown> = Promise.resolve();
+
+/**
+ * Runs the built program within this process, after earlier calls. The outcome is that of
+ * `seamwiseProcess`; loaded scripts and compiled modules stay.
+ */
+export function seamwise(...words: string[]): Promise<Outcome> {
+  const outcome = last.then(() => withinProcess(words));
+  last = outcome.catch(() => undefined);
+  return outcome;
 }
