@@ -27,24 +27,27 @@ export function seamwiseProcess(...words: string[]): Promise<Outcome> {
   });
 }
 
-/** Collects what the process writes to a stream, until the spy is restored. */
-function collected(stream: NodeJS.WriteStream): {text: string; readonly end: () => void} {
-  const found = {text: '', end: () => undefined as void};
-  const spy = vi.spyOn(stream, 'write').mockImplementation((chunk) => {
-    found.text += typeof chunk === 'string' ? chunk : Buffer.from(chunk).toString();
-    return true;
-  });
-  found.end = () => {
-    spy.mockRestore();
-  };
-  return found;
+/** Collects what the process writes to a stream, until `end`. */
+class Collected {
+  text = '';
+  readonly end: () => void;
+
+  constructor(stream: NodeJS.WriteStream) {
+    const spy = vi.spyOn(stream, 'write').mockImplementation((chunk) => {
+      this.text += typeof chunk === 'string' ? chunk : Buffer.from(chunk).toString();
+      return true;
+    });
+    this.end = () => {
+      spy.mockRestore();
+    };
+  }
 }
 
 async function withinProcess(words: readonly string[]): Promise<Outcome> {
   const {run} = (await import(new URL('run.js', built).href)) as {
     readonly run: (words: readonly string[]) => Promise<void>;
   };
-  const [out, err] = [collected(process.stdout), collected(process.stderr)];
+  const [out, err] = [new Collected(process.stdout), new Collected(process.stderr)];
   const earlier = process.exitCode;
   process.exitCode = 0;
   try {
