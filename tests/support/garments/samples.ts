@@ -31,6 +31,35 @@ export function twoStrips(height = 10): GarmentCodeSpecification {
   };
 }
 
+/**
+ * A skirt of two rectangles around the waist, 12 cm high, which takes a sixth of a tee's time to
+ * drape.
+ * @param width  of each, in cm
+ */
+export function shortSkirt(width = 40.5): string {
+  const panel = (z: number, turn: number) => ({
+    ...{translation: [0, 94, z], rotation: [0, turn, 0]},
+    vertices: [
+      [-width / 2, 0],
+      [width / 2, 0],
+      [width / 2, 12],
+      [-width / 2, 12],
+    ],
+    edges: [{endpoints: [0, 1]}, {endpoints: [1, 2]}, {endpoints: [2, 3]}, {endpoints: [3, 0]}],
+  });
+  const side = (panel: string, edge: number) => ({panel, edge});
+  return JSON.stringify({
+    pattern: {
+      panels: {front: panel(20, 0), back: panel(-20, 180)},
+      stitches: [
+        [side('front', 1), side('back', 3)],
+        [side('front', 3), side('back', 1)],
+      ],
+    },
+    properties: {curvature_coords: 'relative', units_in_meter: 100},
+  });
+}
+
 /** A sample garment of the project, which takes many slices. */
 export function sample(
   name:

@@ -15,7 +15,7 @@ import {join} from 'node:path';
 import type {OrderRecord} from 'seamwise/node';
 import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 
-import {seamwise} from '../../support/cli/command-line.js';
+import {seamwise, seamwiseProcess} from '../../support/cli/command-line.js';
 import {checks, twoStrips} from '../../support/garments/samples.js';
 
 let folder = '';
@@ -43,7 +43,8 @@ const align = (...words: string[]) =>
 
 describe('align', () => {
   it('prints one line of figures, and no progress where nobody watches', async () => {
-    const {code, out, err} = await align();
+    const words = [file('strips.json'), '--print', file('checks.json')];
+    const {code, out, err} = await seamwiseProcess('align', ...words);
     expect({code, err}).toEqual({code: 0, err: ''});
     expect(out.trimEnd().split('\n')).toHaveLength(1);
     expect(out).toContain('strips.json: 2 pieces, 1 seam, p4m, best, seed 1');
@@ -198,6 +199,12 @@ it('lists the symmetries of a garment in a form that align takes', async () => {
   expect((await align('--symmetry', file('found.json'))).code).toBe(0);
 });
 
+it('ends as a process with the same code and sentence', async () => {
+  for (const words of [['alling'], ['order', file('none.json')], ['--version']]) {
+    expect(await seamwiseProcess(...words)).toEqual(await seamwise(...words));
+  }
+});
+
 it("converts a garment to the project's own format", async () => {
   const {out} = await seamwise('convert', file('strips.json'));
   expect(JSON.parse(out)).toMatchObject({format: 'seamwise-garment/1'});
@@ -262,7 +269,7 @@ describe('order', () => {
         .replace(/"solver": "[^"]+"/, '"solver": "0.0.7"');
     await store('old.json', older);
     const outputs = ['--out', file('new.json'), '--svg', file('new.svg')];
-    const {code, out, err} = await seamwise('order', file('old.json'), ...outputs);
+    const {code, out, err} = await seamwiseProcess('order', file('old.json'), ...outputs);
     expect({code, out: out.trimEnd().split('; ').at(-1)}).toEqual({
       code: 3,
       out: 'reproduced false',

@@ -14,7 +14,7 @@ import {seamwise} from '../../support/cli/command-line.js';
 import {everywhere, painted, pngOf} from '../../support/image/pictures.js';
 import {at} from '../../support/plane.js';
 import {readGlb} from '../../support/drape/read-glb.js';
-import {sample} from '../../support/garments/samples.js';
+import {shortSkirt} from '../../support/garments/samples.js';
 
 const cell: readonly [Point, Point] = [
   [7, 1],
@@ -30,7 +30,7 @@ const file = (name: string): string => join(folder, name);
 
 beforeAll(() => {
   folder = mkdtempSync(join(tmpdir(), 'seamwise-'));
-  writeFileSync(file('tee.json'), sample('tee'));
+  writeFileSync(file('skirt.json'), shortSkirt());
   writeFileSync(file('print.json'), JSON.stringify(print));
   writeFileSync(
     file('cell.png'),
@@ -68,17 +68,17 @@ function numbers(): () => number {
 it('shows at a hundred places of the cloth what the print has there', async () => {
   const cloth = ['--print', file('print.json')];
   const aligned = await seamwise(
-    ...['align', file('tee.json'), ...cloth, '--no-remedies', '--out', file('result.json')],
+    ...['align', file('skirt.json'), ...cloth, '--no-remedies', '--out', file('result.json')],
   );
   expect(aligned.code, aligned.err).toBeLessThan(2);
   const draped = await seamwise(
-    ...['drape', file('result.json'), ...cloth, '--attributes', '--glb', file('tee.glb')],
+    ...['drape', file('result.json'), ...cloth, '--attributes', '--glb', file('skirt.glb')],
   );
   expect(draped.code, draped.err).toBe(0);
   const {pieces} = JSON.parse(readFileSync(file('result.json'), 'utf8')) as {
     readonly pieces: readonly {readonly alignment: Alignment}[];
   };
-  const read = readGlb(readFileSync(file('tee.glb')));
+  const read = readGlb(readFileSync(file('skirt.glb')));
   const [primitive] = read.json.meshes[0]?.primitives ?? [];
   const attribute = (name: string) => read.vectors(primitive?.attributes[name] ?? -1);
   const [uv, shape, piece] = ['TEXCOORD_0', '_SHAPE', '_PIECE'].map(attribute);

@@ -40,6 +40,7 @@ afterAll(() => {
 
 it('lays results as a plan, the same bytes each time, and says one line', async () => {
   const words = [file('long.result.json'), '--width', '36', '--copies', '2', '--allowance', '1'];
+  words.push('--effort', '0.2');
   const {code, out, err} = await marker(...words, '--out', file('plan.json'));
   expect(code).toBe(0);
   expect(err).toMatch(/^(note: .*\n)*$/);

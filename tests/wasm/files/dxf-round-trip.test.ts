@@ -18,12 +18,13 @@ import {panelMarks} from '@/model/garment/panel-marks.js';
 import {atShare} from '@/model/geometry/polyline.js';
 import {distance, type Point} from '@/model/geometry/vectors.js';
 import {checks} from '../../support/garments/samples.js';
-import {isThorough} from '../../support/level.js';
+import {isThorough, sampleOf} from '../../support/level.js';
 
-const samples = [
-  ...['apron', 'asymmetric-dress', 'gathered-skirt', 'hoodie', 'patchwork-jacket'],
-  ...['princess-dress', 'raglan', 'shift-dress', 'shirt', 'six-gore-skirt', 'tee', 'trousers'],
-];
+/** A commit takes the first three: between them they are written in each format. */
+const samples = sampleOf(3, [
+  ...['tee', 'apron', 'gathered-skirt', 'asymmetric-dress', 'hoodie', 'patchwork-jacket'],
+  ...['princess-dress', 'raglan', 'shift-dress', 'shirt', 'six-gore-skirt', 'trousers'],
+]);
 
 const formats: readonly DxfOptions[] = [
   {style: 'aama', unit: 'mm'},

@@ -48,7 +48,7 @@ describe('the result of a job', () => {
       'equal.ndjson',
       cases.map(([fields], name) => ({...job, ...fields, name: `${name}`})),
     );
-    expect(await shop.batch('equal.ndjson', 'equal')).toMatchObject({code: 0, err: ''});
+    expect(await shop.batchOn(2, 'equal.ndjson', 'equal')).toMatchObject({code: 0, err: ''});
     const done = shop.done('equal');
     for (const [k, [, flags]] of cases.entries()) {
       const words = ['strips-8.json', '--print', 'checks.json', ...flags];
@@ -68,7 +68,7 @@ it('takes every garment of a line in every size and print', async () => {
     prints: ['checks.json', 'waves.json'],
   };
   shop.writeJobs('product.ndjson', [line]);
-  const {code, out} = await shop.batch('product.ndjson', 'product', '--json');
+  const {code, out} = await shop.batchOn(2, 'product.ndjson', 'product', '--json');
   expect(code).toBe(0);
   expect(JSON.parse(out)).toMatchObject({out: 'product', done: 4, failed: 0, now: 4});
   const made = shop.done('product').map(({garment, print, size}) => `${size} ${garment} ${print}`);
@@ -171,7 +171,7 @@ describe('what cannot be solved', () => {
 
 it('mends a record that a crash has torn, or that somebody has lost', async () => {
   shop.writeJobs('torn.ndjson', seeds(12));
-  await shop.batch('torn.ndjson', 'torn');
+  await shop.batchOn(2, 'torn.ndjson', 'torn');
   const whole = shop.truth('torn');
   const lines = shop.read('torn', 'done.ndjson').split('\n');
   const [first = '', ...others] = lines.slice(3, -1);
@@ -297,7 +297,7 @@ describe('two batches', () => {
 
   it('that find the same stale lock let one pass, or at most one', async () => {
     shop.writeJobs('few.ndjson', seeds(3));
-    for (let round = 0; round < 3; round++) {
+    for (let round = 0; round < cases(1, 3); round++) {
       mkdirSync(shop.at('stale'), {recursive: true});
       shop.write('stale/batch.lock', JSON.stringify({host: hostname(), process: 2 ** 22 + 1}));
       const ends = await Promise.all([1, 2, 3].map(() => shop.batch('few.ndjson', 'stale')));
