@@ -45,7 +45,7 @@ TEST(Drapes, ASquareIsSewnHungSettledAndFoundInOrder) {
 }
 
 TEST(Drapes, SlicesOfWorkChangeNoByte) {
-  const Laid laid;
+  const Laid laid{testing::plainPattern(testing::rectangle(20, 20))};
   Drape whole(laid.problem()), sliced(laid.problem());
   while (whole.advance(1e9)) {
   }

@@ -3,6 +3,7 @@
 
 #include "alignment/baseline/sweeps.h"
 #include "support/cut_layout.h"
+#include "support/level.h"
 #include "support/meshed_samples.h"
 #include "support/solver_samples.h"
 
@@ -22,6 +23,7 @@ TEST(OtherMethods, EndAndKeepTheGreatestChange) {
   for (Method method : {Method::kPaper, Method::kWs19}) {
     Task t = task("gathered-skirt", "pmm");
     t.method = method;
+    if (!testing::isThorough()) t.options["alpha"] = 4;  // otherwise it is searched for
     const Result r = solved(t);
     EXPECT_EQ(r.method, method);
     EXPECT_GT(r.iterations, 0);
@@ -35,6 +37,7 @@ TEST(OtherMethods, EndAndKeepTheGreatestChange) {
 }
 
 TEST(OtherMethods, LeaveThePiecesAsDraftedWhereAllTheyFindFitsWorse) {
+  SEAMWISE_THOROUGH_ONLY();
   // only the worst seam has a weight, so it pulls whole pieces away from seams that matched before
   Task t = task("tee", "pgg");
   t.options["maxChangeCm"] = 0;
@@ -60,6 +63,7 @@ TEST(OtherMethods, LeaveThePiecesAsDraftedWhereAllTheyFindFitsWorse) {
 }
 
 TEST(OtherMethods, PlaceNoWorseWithMoreStartsWhichTheDraftedLayoutIsOneOf) {
+  int better = 0;
   for (Method method : {Method::kPaper, Method::kWs19}) {
     Task t = task("tee", "pmm");
     t.method = method;
@@ -68,7 +72,8 @@ TEST(OtherMethods, PlaceNoWorseWithMoreStartsWhichTheDraftedLayoutIsOneOf) {
     t.options["starts"] = 8;
     const Result eight = solved(t);
     t.options["starts"] = 16;
-    EXPECT_LT(eight.total_search, one);
+    EXPECT_LE(eight.total_search, one * (1 + 1e-12));
+    better += eight.total_search < 0.99 * one;
     EXPECT_LE(solved(t).total_search, eight.total_search * (1 + 1e-12));
     const WallpaperGroup group = testing::problemOf(t).print.group;
     const MatchProblem match = testing::matchProblem(eight.pattern, group);
@@ -79,6 +84,7 @@ TEST(OtherMethods, PlaceNoWorseWithMoreStartsWhichTheDraftedLayoutIsOneOf) {
         totalMismatch(group, eight.pattern, restShapes(eight.pattern), match.expanded(sweeps.at()));
     EXPECT_LE(eight.total_search, drafted * (1 + 1e-9));
   }
+  EXPECT_GT(better, 0) << "it could not fail";
 }
 
 TEST(OtherMethods, MoveLessTowardsClippedTargets) {

@@ -66,7 +66,7 @@ std::array<std::vector<float>, 3> rebased(const CellPicture& cell, const GroupVe
 }
 
 class ReadGroup : public ::testing::TestWithParam<GroupData> {};
-INSTANTIATE_TEST_SUITE_P(GroupReading, ReadGroup, ::testing::ValuesIn(wallpaperGroups()),
+INSTANTIATE_TEST_SUITE_P(GroupReading, ReadGroup, ::testing::ValuesIn(testing::sampledGroups()),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(ReadGroup, IsFoundInAnyBasisAndFromAnyOriginThroughCreasesBlurAndNoise) {

@@ -94,7 +94,7 @@ std::string_view bestName(const TileReader& reader) {
 }
 
 class ReadTile : public ::testing::TestWithParam<GroupData> {};
-INSTANTIATE_TEST_SUITE_P(TileReading, ReadTile, ::testing::ValuesIn(wallpaperGroups()),
+INSTANTIATE_TEST_SUITE_P(TileReading, ReadTile, ::testing::ValuesIn(testing::sampledGroups()),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(ReadTile, HasItsGroupWhereverItBeginsAndHoweverItIsTurned) {

@@ -13,7 +13,7 @@ using testing::task;
 
 /// Problems whose alignment search has the same result for any order of its random draws.
 std::vector<Task> settledTasks() {
-  return testing::sampleOf<Task>(1, {task("princess-dress", "p31m"), task("gathered-skirt", "p1"),
+  return testing::sampleOf<Task>(1, {task("gathered-skirt", "p1"), task("princess-dress", "p31m"),
                                      task("princess-dress", "pmm")});
 }
 
@@ -143,7 +143,7 @@ TEST(SolverInvariants, ShiftedPanelsFitAsBefore) {
 }
 
 TEST(SolverInvariants, PinsMovedByALatticeVectorFitAsBefore) {
-  for (const char* group : {"p1", "p4m"}) {
+  for (const char* group : testing::sampleOf<const char*>(1, {"p4m", "p1"})) {
     for (const char* garment :
          testing::sampleOf<const char*>(1, {"tee", "gathered-skirt", "princess-dress"})) {
       Task t = task(garment, group);

@@ -5,8 +5,10 @@
 #include <limits>
 #include <ostream>
 #include <random>
+#include <vector>
 
 #include "alignment/model/alignment.h"
+#include "support/level.h"
 #include "wallpaper/group.h"
 
 namespace seamwise {
@@ -19,6 +21,14 @@ inline void PrintTo(const GroupData& data, std::ostream* out) { *out << data.nam
 namespace seamwise::testing {
 
 inline constexpr double kExact = 1e-9;  ///< cm: equal up to rounding
+
+/// All groups; every third for a commit.
+inline std::vector<GroupData> sampledGroups() {
+  std::vector<GroupData> groups;
+  for (std::size_t k = 0; k < wallpaperGroups().size(); k += isThorough() ? 1 : 3)
+    groups.push_back(wallpaperGroups()[k]);
+  return groups;
+}
 
 /// A lattice of the group's type, w1 10 cm long at angle `turn`.
 inline WallpaperGroup sampleGroup(const GroupData& data, double turn = 0) {

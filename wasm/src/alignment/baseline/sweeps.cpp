@@ -26,8 +26,8 @@ Alignments randomStart(const MatchProblem& problem, std::uint64_t seed) {
   Alignments at;
   for (const Leader& leader : problem.leaders) {
     const double angle = 2 * kPi * random.uniform();
-    const Vec2 print =
-        problem.group.w1() * random.uniform() + problem.group.w2() * random.uniform();
+    const double along = random.uniform(), up = random.uniform();
+    const Vec2 print = problem.group.w1() * along + problem.group.w2() * up;
     const Alignment any{wrapAngle(angle), leader.centre - rotation(angle) * print};
     at.push_back(leader.admissible.nearest(any, leader.centre));
   }

@@ -116,7 +116,8 @@ Alignment randomAlignment(const MatchProblem& problem, int l, Random& random) {
     const auto& place = places[random.below(static_cast<int>(places.size()))];
     return leader.admissible.onPlace(place, leader.centre, place.period * random.uniform());
   }
-  const Vec2 print = problem.group.w1() * random.uniform() + problem.group.w2() * random.uniform();
+  const double along = random.uniform(), up = random.uniform();
+  const Vec2 print = problem.group.w1() * along + problem.group.w2() * up;
   double angle = 2 * kPi * random.uniform();
   if (random.uniform() < 0.5) {
     // The axis of the seam that joins the piece to itself, on a mirrored element's axis.
