@@ -20,10 +20,10 @@ bool says(const Result& r, const std::string& code) {
 }
 
 TEST(OtherMethods, EndAndKeepTheGreatestChange) {
+  SEAMWISE_THOROUGH_ONLY();
   for (Method method : {Method::kPaper, Method::kWs19}) {
     Task t = task("gathered-skirt", "pmm");
     t.method = method;
-    if (!testing::isThorough()) t.options["alpha"] = 4;  // otherwise it is searched for
     const Result r = solved(t);
     EXPECT_EQ(r.method, method);
     EXPECT_GT(r.iterations, 0);

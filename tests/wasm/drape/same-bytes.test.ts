@@ -20,20 +20,16 @@ const bytesOf = (positions: Float64Array) =>
 
 const compared = ['tee', 'six-gore-skirt', 'patchwork-jacket', 'box-pleated-skirt'] as const;
 
-it.each(compared)(
-  'of %s are those of a native program',
-  {tags: ['thorough']},
-  async (name) => {
-    const result = await solve({garment: sample(name), print: checks});
-    const folder = mkdtempSync(join(tmpdir(), 'seamwise-'));
-    try {
-      const file = join(folder, 'result.json');
-      writeFileSync(file, JSON.stringify(result));
-      const expected = execFileSync(native, [file], {maxBuffer: 1 << 24});
-      const {positions} = await drape(result);
-      expect(bytesOf(positions).equals(expected)).toBe(true);
-    } finally {
-      rmSync(folder, {recursive: true});
-    }
-  },
-);
+it.each(compared)('of %s are those of a native program', {tags: ['thorough']}, async (name) => {
+  const result = await solve({garment: sample(name), print: checks});
+  const folder = mkdtempSync(join(tmpdir(), 'seamwise-'));
+  try {
+    const file = join(folder, 'result.json');
+    writeFileSync(file, JSON.stringify(result));
+    const expected = execFileSync(native, [file], {maxBuffer: 1 << 24});
+    const {positions} = await drape(result);
+    expect(bytesOf(positions).equals(expected)).toBe(true);
+  } finally {
+    rmSync(folder, {recursive: true});
+  }
+});
