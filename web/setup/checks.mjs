@@ -17,6 +17,7 @@ import {
   forNativeTests,
   forWebTests,
   hasOrInstalls,
+  installHeadlessShell,
   installOtherBrowsers,
 } from './system.mjs';
 
@@ -115,6 +116,7 @@ async function web(level, ...files) {
  * than cores.
  */
 async function browser(level) {
+  await installHeadlessShell();
   await ensureSystem(forBrowserTests);
   if (level.isThorough) await installOtherBrowsers();
   return vitest('browser', level, `--maxWorkers=${availableParallelism() + 1}`);

@@ -6,7 +6,7 @@ import {countsIn} from './counts.mjs';
 import {ensurePackages} from './packages.mjs';
 import {beginReport, report, timesOf} from './report.mjs';
 import {collected, main, say, SetupError} from './shell.mjs';
-import {ensureSystem} from './system.mjs';
+import {ensureSystem, installHeadlessShell} from './system.mjs';
 
 /** Work that a run may do, counted; more of it makes a run slow on every machine. */
 const budgets = {'browser start': 1, 'page build': 3, 'page solve': 450};
@@ -72,7 +72,10 @@ await main(async () => {
   const names = chosen(asked);
   const isThorough = asked.includes('thorough');
   // All at once, so that a manual installation is requested only once.
-  if (asked.length === 0 || isThorough) await ensureSystem(systemNeeds);
+  if (asked.length === 0 || isThorough) {
+    await installHeadlessShell();
+    await ensureSystem(systemNeeds);
+  }
   await ensurePackages();
   beginReport();
   const counts = timesOf('counts.txt');
