@@ -33,6 +33,7 @@ double fitOf(const Pattern& pattern, const MatchProblem& problem, const Alignmen
 }
 
 TEST(AlignmentSearch, OfVeryManyPiecesTakesNoMoreTimeThanOfMany) {
+  SEAMWISE_THOROUGH_ONLY();
   const Pattern pattern =
       cutLayout(sampleGroup(*findGroup("pmm"), 0.2), 12, 10, Scatter::kMirrored, 1);
   const MatchProblem problem = matchProblem(pattern, sampleGroup(*findGroup("p1"), 0.2));

@@ -6,6 +6,7 @@
 
 #include "photo/base/map_inverse.h"
 #include "photo/photo_samples.h"
+#include "support/level.h"
 
 namespace seamwise::testing {
 namespace {
@@ -59,7 +60,7 @@ Outcome<FoundObject> found(const Photo& photo, int object, const Vec2& beside) {
 
 TEST(PhotoCoin, ACoinTellsTheScaleUnderTilt) {
   const Photo photo = withObject([](const Vec2& off) { return off.norm() < 2.325 / 2; });
-  for (const Vec2& beside : {Vec2(0, 0), Vec2(0.3, -0.2)}) {
+  for (const Vec2& beside : testing::sampleOf<Vec2>(1, {Vec2(0.3, -0.2), Vec2(0, 0)})) {
     const Outcome<FoundObject> coin = found(photo, 0, beside);
     ASSERT_TRUE(coin.ok());
     EXPECT_NEAR(coin.value().scale, 3, 0.03);

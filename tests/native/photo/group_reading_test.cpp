@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "photo/cell_samples.h"
 #include "photo/fabric/tile_symmetry.h"
 #include "photo/print_picture.h"
@@ -218,6 +221,16 @@ TEST(GroupReading, IsUncertainOfPlainFabric) {
   }
   cell.noise.assign(cell.noise.size(), 3.3e-5f * 2.05f);
   EXPECT_EQ(readGroups(cell, Mat2::Identity(), 0.01).confidence, Confidence::kUncertain);
+}
+
+TEST(GroupReading, HasAnOriginInOneColourWithoutNoise) {
+  CellPicture cell = plaid({1}, {1});
+  for (auto& plane : cell.planes) std::fill(plane.begin(), plane.end(), 0.5f);
+  std::fill(cell.noise.begin(), cell.noise.end(), 0.0f);
+  for (const GroupVerdict& verdict : readGroups(cell, Mat2::Identity(), 0.01).groups) {
+    EXPECT_TRUE(std::isfinite(verdict.origin.x())) << verdict.group->name;
+    EXPECT_TRUE(std::isfinite(verdict.origin.y())) << verdict.group->name;
+  }
 }
 
 }  // namespace

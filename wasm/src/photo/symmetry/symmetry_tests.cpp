@@ -118,8 +118,9 @@ Vec2 SymmetryTests::bestOrigin(const GroupEmbedding& embedding) {
     }
   }
   if (others == 0) return Vec2::Zero();
+  const double whole = others * std::max(1e-12, cell_.energy());
   // Rounding alone must not choose between equal origins.
-  const float margin = static_cast<float>(1e-5 * cell_.energy() * others);
+  const float margin = static_cast<float>(1e-5 * whole);
   std::size_t best = 0;
   for (std::size_t k = 1; k < agreement.size(); ++k) {
     if (agreement[k] > agreement[best] + margin) best = k;
@@ -129,7 +130,7 @@ Vec2 SymmetryTests::bestOrigin(const GroupEmbedding& embedding) {
   for (int dq = -1; dq <= 1; ++dq) {
     for (int dp = -1; dp <= 1; ++dp) {
       const int at = wrappedIndex(q + dq, fine) * fine + wrappedIndex(p + dp, fine);
-      around[dq + 1][dp + 1] = -agreement[at] / (others * cell_.energy());
+      around[dq + 1][dp + 1] = -agreement[at] / whole;
     }
   }
   return fractionOf((Vec2(p, q) + leastOf(around)) / fine);
