@@ -8,7 +8,7 @@ import {afterAll, beforeAll, describe, expect, it} from 'vitest';
 import {Shop} from '../../support/cli/batch.js';
 import {planComplaints} from '../../support/marker/check-plan.js';
 import {seamwise} from '../../support/cli/command-line.js';
-import {writeProject} from '@/model/documents/project.js';
+import {writeProject} from '@/model/documents/write-project.js';
 import type {SolveResult} from '@/model/result/result.js';
 import {bareFabric} from '@/workbench/samples.js';
 import {checks, twoStrips} from '../../support/garments/samples.js';

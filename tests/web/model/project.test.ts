@@ -7,7 +7,8 @@ import {describe, expect, it} from 'vitest';
 import type {Design} from '@/model/design/design.js';
 import {LinkError, linkOf, readLink} from '@/model/documents/link.js';
 import {sha256Of} from '@/model/documents/result-text.js';
-import {isProject, readProject, writeProject} from '@/model/documents/project.js';
+import {isProject, readProject} from '@/model/documents/project.js';
+import {writeProject} from '@/model/documents/write-project.js';
 import {written} from '@/model/design/written-design.js';
 import {fileNameOf, nameOf, shortened} from '@/model/documents/project-name.js';
 

@@ -66,7 +66,7 @@ export class SeamwisePage extends WorkbenchElement {
     commands: (): void => void this.#commands(),
     open: (): void => void this.#open(),
     save: (): void => {
-      void saveProject(this);
+      saveProject(this);
     },
     cut: (): void => void this.#cut(),
   };

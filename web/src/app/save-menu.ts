@@ -12,6 +12,7 @@ import type {Projects} from './projects/projects.js';
 import {saveFile} from './files.js';
 import {fileNameOf} from '../model/documents/project-name.js';
 import {written} from '../model/design/written-design.js';
+import {writeProject} from '../model/documents/write-project.js';
 import type {Workbench} from '../workbench/workbench.js';
 
 // Saves projects, results and pictures as files.
@@ -25,12 +26,11 @@ interface Saved {
 /** Returns a file's name without its ending. */
 const stem = ({projects}: Saved): string => fileNameOf(projects.name);
 
-export async function saveProject(saved: Saved): Promise<void> {
+export function saveProject(saved: Saved): void {
   const {workbench, projects} = saved;
   const {design} = workbench.history;
   if (!design) return;
   const [view, title] = [workbench.sheet.view?.get(), projects.present?.title];
-  const {writeProject} = await import('../model/documents/project.js');
   const content = writeProject(design, {
     ...(view && {view}),
     ...(title !== undefined && {title}),
@@ -148,7 +148,7 @@ export class SaveMenu extends WorkbenchElement {
           <button
             class="outlined"
             @click=${() => {
-              void saveProject(this);
+              saveProject(this);
             }}
           >
             ${icon.project} ${app.saveProject}

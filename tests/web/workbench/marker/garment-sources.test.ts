@@ -1,7 +1,7 @@
 import {describe, expect, it, vi} from 'vitest';
 
 import type {Design} from '@/model/design/design.js';
-import {writeProject} from '@/model/documents/project.js';
+import {writeProject} from '@/model/documents/write-project.js';
 import {written} from '@/model/design/written-design.js';
 import {garmentsIn} from '@/workbench/marker/garment-sources.js';
 import {
