@@ -2,7 +2,7 @@ import {existsSync, readdirSync} from 'node:fs';
 import {homedir} from 'node:os';
 import {delimiter, join} from 'node:path';
 
-/** The headless shell comes first: it opens a page with half of the processor time. */
+/** The headless shell comes first, as it needs less processor time. */
 const commands = [
   'chromium-headless-shell',
   'chromium',

@@ -117,7 +117,7 @@ const chromium = {
   brew: 'google-chrome',
 };
 
-/** Half of the processor time of Chromium, where a distribution has it. */
+/** A browser for tests that needs a third less processor time than Chromium. */
 const headlessShell = {
   found: () => has('chromium-headless-shell'),
   apt: 'chromium-headless-shell',

@@ -6,7 +6,7 @@
 
 namespace seamwise::testing {
 
-/// Whether this is the thorough run, which sets SEAMWISE_TESTS=thorough.
+/// Returns whether this is the thorough run, which sets SEAMWISE_TESTS=thorough.
 inline bool isThorough() {
   const char* level = std::getenv("SEAMWISE_TESTS");
   return level && std::strcmp(level, "thorough") == 0;

@@ -5,6 +5,13 @@ import type {GarmentCodeSpecification, Point, Print} from 'seamwise/node';
 /** A checked print on which any piece may be mirrored. */
 export const checks: Print = {group: 'p4m', w1: [4, 0], w2: [0, 4]};
 
+const fourEdges = [
+  {endpoints: [0, 1]},
+  {endpoints: [1, 2]},
+  {endpoints: [2, 3]},
+  {endpoints: [3, 0]},
+] as const;
+
 /** Two rectangles side by side, sewn along one vertical seam; 5 cm wide, `height` cm high. */
 export function twoStrips(height = 10): GarmentCodeSpecification {
   const vertices: readonly Point[] = [
@@ -15,8 +22,8 @@ export function twoStrips(height = 10): GarmentCodeSpecification {
   ];
   const strip = {
     vertices,
-    edges: [{endpoints: [0, 1]}, {endpoints: [1, 2]}, {endpoints: [2, 3]}, {endpoints: [3, 0]}],
-  } as const;
+    edges: fourEdges,
+  };
   return {
     pattern: {
       panels: {left: strip, right: strip},
@@ -45,7 +52,7 @@ export function shortSkirt(width = 40.5): string {
       [width / 2, 12],
       [-width / 2, 12],
     ],
-    edges: [{endpoints: [0, 1]}, {endpoints: [1, 2]}, {endpoints: [2, 3]}, {endpoints: [3, 0]}],
+    edges: fourEdges,
   });
   const side = (panel: string, edge: number) => ({panel, edge});
   return JSON.stringify({
