@@ -106,10 +106,23 @@ async function followed(address: URL): Promise<boolean> {
   }
 }
 
-/** Returns the design in the URL, if it can be read. */
+/** Codes of failures that a garment does not cause. */
+const unrelated: ReadonlySet<unknown> = new Set(['no-wasm', 'network', 'timeout']);
+
+/**
+ * Returns the design in the URL. A solver that cannot be loaded leaves it as it is, since the solve
+ * reports the same failure.
+ *
+ * @throws {Error} when a file in the URL cannot be read
+ */
 async function soundlyAsked(address: URL, before: Design): Promise<Design | undefined> {
   const asked = await askedFor(address, before, workbench.solver);
-  if (asked) await workbench.solving.meshed(asked);
+  if (!asked) return undefined;
+  try {
+    await workbench.solving.meshed(asked);
+  } catch (error) {
+    if (!unrelated.has(toFailure(error).code)) throw error;
+  }
   return asked;
 }
 
