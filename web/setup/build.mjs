@@ -30,6 +30,8 @@ const moduleFiles = ['seamwise', 'drape', 'marker', 'photo'].flatMap((name) => [
   `${name}.mjs`,
   `${name}.wasm`,
 ]);
+/** The modules as compiled. */
+export const moduleProducts = moduleFiles.map((file) => `${moduleFolder}/${file}`);
 const declarations = 'build/declarations';
 /** Sources of the modules. */
 export const moduleSources = ['CMakeLists.txt', 'CMakePresets.json', 'wasm'];
@@ -45,7 +47,7 @@ const parts = {
   module: {
     from: moduleSources,
     make: buildModule,
-    products: moduleFiles.map((file) => `${moduleFolder}/${file}`),
+    products: moduleProducts,
   },
   scripts: {
     after: 'module',

@@ -1,10 +1,10 @@
 import {availableParallelism} from 'node:os';
 
-import {build} from './build.mjs';
+import {build, moduleProducts} from './build.mjs';
 import {checkFormat, clangTool, tidy} from './clang.mjs';
 import {configure} from './cmake.mjs';
 import {forProblems, forSeconds, fuzz} from './fuzz.mjs';
-import {unlessPassed} from './passed.mjs';
+import {projectFiles, unlessPassed} from './passed.mjs';
 import {timesOf} from './report.mjs';
 import {run, say, tool} from './shell.mjs';
 import {
@@ -28,7 +28,7 @@ function runTool(name, ...args) {
 }
 
 /** Builds a preset and runs its native tests. @param which  arguments of ctest that choose tests */
-async function native(preset, {isThorough, level}, flags = [], which = []) {
+async function native(preset, {isAnew, level}, flags = [], which = []) {
   await ensureSystem(forNativeTests);
   // A new warning of another compiler should not fail on a user's machine.
   const strict = process.env.SEAMWISE_STRICT ? ['-DSEAMWISE_WARNINGS_ARE_ERRORS=ON'] : [];
@@ -40,7 +40,7 @@ async function native(preset, {isThorough, level}, flags = [], which = []) {
   const times = ['--output-junit', timesOf(`${preset}.xml`)];
   const words = ['--preset', preset, ...parallel, ...times, ...which];
   const programs = [`build/${preset}/tests/native/seamwise_tests`, ...nativeTestFiles];
-  return unlessPassed([preset, ...which].join(' '), programs, isThorough, () =>
+  return unlessPassed([preset, ...which].join(' '), programs, isAnew, () =>
     run('ctest', words, {env: {SEAMWISE_TESTS: level}}),
   );
 }
@@ -56,11 +56,11 @@ async function sanitize(level, ...which) {
 }
 
 /** Runs the fuzzer; skipped if it is unavailable. */
-async function fuzzed({isThorough}) {
+async function fuzzed({isThorough, isAnew}) {
   if (await hasOrInstalls(forFuzzing)) {
     if (isThorough) return fuzz(forSeconds(60));
     const read = ['build/sanitize/tests/fuzz/problem_fuzz', 'public', 'web/setup/fuzz.mjs'];
-    return unlessPassed('fuzz', read, false, () => fuzz(forProblems(2000)));
+    return unlessPassed('fuzz', read, isAnew, () => fuzz(forProblems(2000)));
   }
   say('Left out: there is no clang with a fuzzer (in Debian clang and libclang-rt-dev).');
   return true;
@@ -92,8 +92,12 @@ async function clangTidy({isThorough}) {
   return tidy('build/sanitize', isThorough);
 }
 
-/** Runs a project of vitest.config.ts. @param more  arguments */
-function vitest(name, {isThorough, level}, ...more) {
+/**
+ * Runs a project of vitest.config.ts.
+ * @param read  files that decide the outcome; undefined if unknown
+ * @param more  arguments
+ */
+function vitest(name, {isThorough, isAnew, level}, read, ...more) {
   const levels = isThorough ? [] : ['--tags-filter=!thorough'];
   const times = [
     '--reporter=default',
@@ -102,13 +106,18 @@ function vitest(name, {isThorough, level}, ...more) {
   ];
   const [node, program] = tool('vitest');
   const words = [program, 'run', `--project=${name}`, ...levels, ...times, ...more];
-  return run(node, words, {env: {SEAMWISE_TESTS: level}});
+  const tests = [name, ...more.filter((word) => !word.startsWith('-'))].join(' ');
+  return unlessPassed(tests, read ?? [], isAnew || !read, () =>
+    run(node, words, {env: {SEAMWISE_TESTS: level}}),
+  );
 }
 
 /** Runs the tests that need neither compiler nor browser. */
 async function web(level, ...files) {
   await ensureSystem(forWebTests);
-  return vitest('web', level, `--maxWorkers=${availableParallelism()}`, ...files);
+  const read = projectFiles();
+  const workers = `--maxWorkers=${availableParallelism()}`;
+  return vitest('web', level, read && [...read, ...moduleProducts], workers, ...files);
 }
 
 /**
@@ -119,13 +128,15 @@ async function browser(level) {
   await installHeadlessShell();
   await ensureSystem(forBrowserTests);
   if (level.isThorough) await installOtherBrowsers();
-  return vitest('browser', level, `--maxWorkers=${availableParallelism() + 1}`);
+  const read = projectFiles('docs', 'wasm', 'tests/native');
+  const workers = `--maxWorkers=${availableParallelism() + 1}`;
+  return vitest('browser', level, read && [...read, ...moduleProducts], workers);
 }
 
 /** Runs the time measurements, for which nothing else runs at the same time. */
 async function timing(level) {
   await ensureSystem(forBrowserTests);
-  return vitest('timing', level);
+  return vitest('timing', level, undefined);
 }
 
 async function product() {

@@ -1,3 +1,4 @@
+import {spawnSync} from 'node:child_process';
 import {createHash} from 'node:crypto';
 import {
   existsSync,
@@ -35,9 +36,20 @@ export async function unlessPassed(name, read, isAnew, work) {
   return passed;
 }
 
-/** Identifies the contents of files and folders. */
+/**
+ * The project's files that git tracks or would track, outside of some folders; undefined without git.
+ */
+export function projectFiles(...without) {
+  const words = ['ls-files', '--cached', '--others', '--exclude-standard', '-z'];
+  const {status, stdout} = spawnSync('git', words, {cwd: root, encoding: 'utf8'});
+  if (status !== 0) return undefined;
+  const isWithin = (path) => !without.some((folder) => path.startsWith(`${folder}/`));
+  return stdout.split('\0').filter((path) => path !== '' && isWithin(path));
+}
+
+/** Identifies the contents of files and folders, and the version of Node. */
 function contentsOf(paths) {
-  const hash = createHash('sha256');
+  const hash = createHash('sha256').update(process.version);
   for (const path of paths.flatMap(filesIn))
     hash.update(path).update(readFileSync(join(root, path)));
   return hash.digest('hex');

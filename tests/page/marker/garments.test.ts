@@ -3,7 +3,7 @@ import {expect, it} from 'vitest';
 
 import type {LayPlan} from '@/model/result/marker-plan.js';
 import {button, saved, smallest, usePage} from '../../support/page/page.js';
-import {laid, layoutOf, pane, panel, rowOf} from '../../support/page/marker.js';
+import {layoutOf, pane, panel, rowOf} from '../../support/page/marker.js';
 
 const openPage = usePage();
 
@@ -14,7 +14,6 @@ it('lays another size and several copies on one fabric, each in its colour, and 
   await expect.poll(() => panel(page).locator('#add option[value="size:s"]').count()).toBe(1);
   await panel(page).locator('#add').selectOption('size:s');
   await expect.poll(() => pieces.count(), {timeout: 60_000}).toBe(8);
-  await laid(page);
   await expect
     .poll(() => list.allInnerTexts())
     .toEqual([
@@ -28,7 +27,6 @@ it('lays another size and several copies on one fabric, each in its colour, and 
   await copies.fill('2');
   await copies.press('Enter');
   await expect.poll(() => pieces.count(), {timeout: 60_000}).toBe(12);
-  await laid(page);
   const plan = JSON.parse(await saved(page, 'Save fabric layout (JSON)')) as LayPlan;
   expect(plan.garments?.map((one) => one.copies)).toEqual([1, 2]);
   expect(await saved(page, 'Save B Tee, S alone (DXF)')).toContain('B Front');

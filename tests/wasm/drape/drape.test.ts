@@ -160,13 +160,13 @@ describe.each(sampleOf(1, moves))('%s', (name, most) => {
   it('moves little with more effort, and is near its least energy', async () => {
     const result = await resultOf(name);
     const files: DrapeFile[] = [];
-    for (const effort of [1, 2, 4] as const)
-      files.push(drapeFile(result, await drapeOf(name, effort)));
+    const efforts = isThorough ? ([1, 2, 4] as const) : ([1, 2] as const);
+    for (const effort of efforts) files.push(drapeFile(result, await drapeOf(name, effort)));
     const {rms, max} = apart(at(files, 0), at(files, 1));
     expect(rms).toBeLessThan(most.rms);
     expect(max).toBeLessThan(most.max);
-    const [one, , four] = files.map((file) => restingEnergy(file, result));
-    expect(Math.abs((one ?? NaN) / (four ?? NaN) - 1)).toBeLessThan(0.003);
+    const energies = files.map((file) => restingEnergy(file, result));
+    expect(Math.abs(at(energies, 0) / at(energies, energies.length - 1) - 1)).toBeLessThan(0.003);
   });
 });
 

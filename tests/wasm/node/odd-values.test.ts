@@ -4,9 +4,18 @@ import {failureCodes, pageFailureCodes, SolverError} from 'seamwise';
 import {beforeAll, describe, expect, it} from 'vitest';
 
 import {checks, twoStrips} from '../../support/garments/samples.js';
+import {cases} from '../../support/level.js';
 import {faultOf as faultIn, oddValues} from '../../support/odd-values.js';
 
-const odd = oddValues();
+const odd = Object.entries(oddValues());
+
+/** A commit tries every third value, from another one on at each turn. */
+const stride = cases(3, 1);
+let turn = 0;
+const oddOnes = (): typeof odd => {
+  turn++;
+  return odd.filter((_, k) => (k + turn) % stride === 0);
+};
 const codes = [...Object.keys(failureCodes), ...pageFailureCodes];
 
 /** Returns what is wrong with the outcome of a call; empty for a value or a `SolverError`. */
@@ -100,7 +109,7 @@ describe('an odd argument', () => {
     const faults: string[] = [];
     for (const [name, args] of Object.entries(calls)) {
       for (const k of args.keys()) {
-        for (const [label, value] of Object.entries(odd)) {
+        for (const [label, value] of oddOnes()) {
           const fault = await faultOf(() => named(name)(...args.with(k, value)));
           if (fault) faults.push(`${name}, argument ${k + 1} is ${label}: ${fault}`);
         }
@@ -114,7 +123,7 @@ describe('an odd argument', () => {
     for (const name of ['garmentFile', 'layPlanText', 'writeStoredDesign', 'resultText']) {
       const [own] = calls[name] as readonly [object];
       for (const field of Object.keys(own)) {
-        for (const [label, value] of Object.entries(odd)) {
+        for (const [label, value] of oddOnes()) {
           const fault = await faultOf(() => named(name)({...own, [field]: value}));
           if (fault) faults.push(`${name}, ${field} is ${label}: ${fault}`);
         }
@@ -130,7 +139,7 @@ describe('an odd argument', () => {
       for (const [k, own] of args.entries()) {
         if (typeof own !== 'object' || own === null) continue;
         for (const field of await fieldsOf(name, args, k)) {
-          for (const [label, value] of Object.entries(odd)) {
+          for (const [label, value] of oddOnes()) {
             tried++;
             const asked = args.with(k, {...own, [field]: value});
             const fault = await faultOf(() => named(name)(...asked));
@@ -140,6 +149,6 @@ describe('an odd argument', () => {
       }
     }
     expect(faults).toEqual([]);
-    expect(tried).toBeGreaterThan(1500);
+    expect(tried).toBeGreaterThan(1500 / stride);
   });
 });
