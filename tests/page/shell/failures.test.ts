@@ -68,7 +68,7 @@ it('says so when the solver cannot be loaded, and solves once it can be', async 
   await says(page, /^Not matched$/);
   const alerts = page.getByRole('alert');
   await alerts.filter({hasText: /^\s*The solver could not be loaded.*\.\s*$/}).waitFor();
-  expect(await alerts.count()).toBe(1);
+  await expect.poll(() => alerts.count()).toBe(1);
   const {garment} = await designOf(page);
   expect(garment.name).toContain('tee-xs');
   await page.unroute('**/*.wasm');
