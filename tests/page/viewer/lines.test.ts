@@ -130,7 +130,7 @@ it('draws a mirror axis beyond the outline, and leaves the print alone', async (
   expect(beyond).toContain(true);
 });
 
-it('puts the same letter on both pieces of a pair', async () => {
+it('puts the same letter on both pieces of a pair that is pointed at', async () => {
   const page = await openPage();
   await show(
     page,
@@ -138,5 +138,16 @@ it('puts the same letter on both pieces of a pair', async () => {
   );
   const letters = page.getByText('α', {exact: true});
   await expect.poll(() => letters.count()).toBe(2);
-  await expect.poll(() => letters.first().isVisible()).toBe(true);
+  const shown = () => letters.evaluateAll((all) => all.map((one) => one.checkVisibility()));
+  expect(await shown()).toEqual([false, false]);
+  for (const overlay of [{hoverPiece: 1}, {allPairs: true}]) {
+    await page.evaluate((one) => {
+      Viewer.view.setOverlay(one);
+    }, overlay);
+    await expect.poll(shown).toEqual([true, true]);
+    await page.evaluate(() => {
+      Viewer.view.setOverlay(undefined);
+    });
+    await expect.poll(shown).toEqual([false, false]);
+  }
 });

@@ -51,9 +51,14 @@ const sayFailure = (error: unknown): void => {
   workbench.notices.say({tone: 'error', text: toFailure(error).message});
 };
 
+const isBare = ({hash, search}: URL): boolean => hash === '' && search === '';
+
 async function begin(address: URL): Promise<void> {
   await projects.rescue();
-  if (address.hash === '' && address.search === '' && (await projects.resume())) return;
+  if (isBare(address) && (await projects.resume())) {
+    page.isFirst = false;
+    return;
+  }
   if (await followed(address)) return;
   if (address.search === '' && isFirstVisit()) {
     page.isFirst = true;
@@ -141,12 +146,14 @@ function afterFirstAnswer(act: () => Promise<void>): void {
 /** Shows nothing before the texts are loaded. */
 async function open(): Promise<void> {
   await loadTexts(preferences.language);
+  const address = new URL(location.href);
+  page.isFirst = isBare(address) && isFirstVisit(); // from the first picture on, so that nothing moves
   document.body.append(page);
   try {
     void samples.then((known) => {
       page.samples = known;
     }, sayFailure);
-    await begin(new URL(location.href));
+    await begin(address);
   } catch (error) {
     workbench.solving.beEmpty();
     sayFailure(error);

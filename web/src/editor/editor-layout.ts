@@ -93,6 +93,7 @@ export const editorLayout = css`
     grid-area: pattern;
     display: grid;
     grid-template: auto auto auto minmax(0, 1fr) / minmax(0, 1fr);
+    grid-auto-rows: auto;
     position: relative;
     min-height: 0;
   }
@@ -109,10 +110,8 @@ export const editorLayout = css`
     grid-area: 4 / 1;
   }
   slot[name='welcome'] {
-    grid-area: 4 / 1 / -1 / -1;
+    grid-area: 6 / 1 / 7 / -1;
     display: block;
-    align-self: end;
-    z-index: 2;
   }
   :is([data-shows='garment'], [data-shows='marker']) sw-pattern {
     display: none;

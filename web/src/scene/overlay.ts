@@ -38,6 +38,8 @@ export interface Overlay {
   readonly highlight?: {readonly seam: number; readonly side?: 'a' | 'b'};
   readonly hoverPiece?: number;
   readonly selectPiece?: number;
+  /** Shows the letters of all pairs, not only of that under the pointer. */
+  readonly allPairs?: boolean;
   /** Found symmetries that are not imposed yet. */
   readonly ghosts?: readonly SceneSymmetry[];
   /** A mirror axis that is being drawn. */

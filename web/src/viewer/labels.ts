@@ -5,6 +5,7 @@
 import type {Point} from '../model/geometry/vectors.js';
 import {boxOf} from '../model/geometry/polyline.js';
 import {chipColours, chipLayer, move, overlap, placeable, type Box} from './chips.js';
+import type {Overlay} from '../scene/overlay.js';
 import {onSheet} from './overlay-strokes.js';
 import {labelLines, labelSize, type PatternScene} from '../scene/scene.js';
 import {toScreen, type ScreenSize, type SheetView} from '../scene/sheet-view.js';
@@ -21,6 +22,9 @@ interface Name {
 
 interface Letter {
   readonly element: HTMLElement;
+  /** Letter of the pair. */
+  readonly pair: string;
+  readonly piece: number;
   readonly at: Point;
   readonly room: number;
 }
@@ -59,6 +63,7 @@ export class Labels {
   #appearance: Appearance;
   #names: readonly Name[] = [];
   #letters: readonly Letter[] = [];
+  #overlay: Overlay | undefined;
 
   constructor(appearance: Appearance) {
     this.#appearance = appearance;
@@ -74,6 +79,7 @@ export class Labels {
       return symmetry.marks.map(({piece, at, room}): Letter => {
         return {
           element: this.#label(symmetry.letter, 'letter'),
+          ...{pair: symmetry.letter, piece},
           at: onSheet(scene, piece, at),
           room,
         };
@@ -81,6 +87,7 @@ export class Labels {
     });
     this.element.replaceChildren(...letters.map(({element}) => element), ...names);
     this.#letters = letters;
+    this.highlight(this.#overlay);
     this.#names = scene.pieces
       .map((piece, k): Name => {
         const element = names[k] ?? this.#label('', 'name');
@@ -89,6 +96,17 @@ export class Labels {
       })
       // the larger piece keeps its name if two names collide
       .sort((a, b) => b.high[1] - b.low[1] - (a.high[1] - a.low[1]));
+  }
+
+  /** Shows the letters of the pair that is pointed at or selected, or of all while they are chosen. */
+  highlight(overlay: Overlay | undefined): void {
+    this.#overlay = overlay;
+    const {allPairs = false, hoverPiece, selectPiece} = overlay ?? {};
+    const pairs = this.#letters
+      .filter(({piece}) => piece === hoverPiece || piece === selectPiece)
+      .map(({pair}) => pair);
+    for (const {element, pair} of this.#letters)
+      element.style.display = allPairs || pairs.includes(pair) ? '' : 'none';
   }
 
   /** Moves names and letters to a view. */

@@ -50,6 +50,7 @@ export class Words {
     if (scene && overlay) this.#chips.show(scene, overlay, look);
     else this.#chips.clear();
     this.#notes.highlight(overlay?.highlight?.seam);
+    this.#labels.highlight(overlay);
     // the badges stand in their place
     this.#notes.element.style.visibility = overlay?.badges ? 'hidden' : '';
   }

@@ -29,7 +29,8 @@ export class Welcome extends WorkbenchElement {
       :host {
         display: block;
         padding: var(--sw-space-3);
-        pointer-events: none;
+        border-top: 1px solid var(--sw-line);
+        background: var(--sw-paper);
       }
       .cards {
         display: grid;
@@ -37,12 +38,6 @@ export class Welcome extends WorkbenchElement {
         gap: var(--sw-space-2);
         max-width: 44rem;
         margin: auto;
-        padding: var(--sw-space-2);
-        border: 1px solid var(--sw-line);
-        border-radius: calc(var(--sw-radius) + var(--sw-space-2));
-        background: var(--sw-raised);
-        box-shadow: 0 4px 20px light-dark(rgb(38 40 44 / 0.12), rgb(0 0 0 / 0.45));
-        pointer-events: auto;
       }
       p {
         grid-area: 1 / 1 / 2 / -1;
@@ -55,7 +50,7 @@ export class Welcome extends WorkbenchElement {
         display: grid;
         justify-items: start;
         justify-content: start;
-        align-content: start;
+        align-content: center;
         gap: 0;
         padding: var(--sw-space-2) var(--sw-space-3);
         border: 1px solid var(--sw-line);

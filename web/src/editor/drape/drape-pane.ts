@@ -275,7 +275,9 @@ export class DrapePane extends DrapeDrawing {
     </button>`;
     switch (state.kind) {
       case 'waiting':
-        return drape ? nothing : html`<p class="told">${words.waiting}</p>`;
+        return drape || !this.workbench.history.design
+          ? nothing
+          : html`<p class="told">${words.waiting}</p>`;
       case 'draping':
         return html`<p class="told">
           <span class="numbers"

@@ -114,6 +114,9 @@ export const listStyle = css`
     color: var(--sw-soft);
     white-space: nowrap;
   }
+  tr:not(.selected) .measured {
+    display: none;
+  }
   .kept {
     display: block;
     color: var(--sw-soft);
@@ -126,8 +129,11 @@ export const listStyle = css`
     color: var(--sw-soft);
     vertical-align: -0.15em;
   }
+  .grain div {
+    display: flex;
+  }
   .grain select {
-    min-width: 4.75rem; /* for the longest of them */
+    width: 6.25rem; /* for the usual one of them */
   }
   select {
     min-width: 3.75rem;
@@ -163,9 +169,7 @@ export const listStyle = css`
     background: var(--sw-paper) content-box; /* over a long name, not over the line below it */
   }
   .turn {
-    display: flex;
-    gap: var(--sw-space-1);
-    padding-inline: 2px var(--sw-space-1);
+    padding-inline: 2px;
   }
   @media (pointer: coarse), (width < 40rem) {
     thead button,

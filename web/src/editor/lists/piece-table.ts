@@ -115,7 +115,9 @@ export class PieceTable extends ListTable<PieceRow> {
     return html`
       <th scope="row">
         ${this.#name(row, tabIndex)}
-        <span class="line"><span>${size},</span> <span>${pattern.seams(row.seams)}</span></span>
+        <span class="line measured"
+          ><span>${size},</span> <span>${pattern.seams(row.seams)}</span></span
+        >
         ${row.pinned ? this.#pin(row, tabIndex) : nothing}
       </th>
       <td class="number">
@@ -123,7 +125,8 @@ export class PieceTable extends ListTable<PieceRow> {
       </td>
       <td class="number">${format.number(offGrain)}°</td>
       <td class="grain">
-        ${this.#grain(row, tabIndex)}${this.#grainLine(row, tabIndex)}${this.#turn(row, tabIndex)}
+        <div>${this.#grain(row, tabIndex)}${this.#turn(row, tabIndex)}</div>
+        ${this.#grainLine(row, tabIndex)}
       </td>
       <td class="middle">
         <input
@@ -210,7 +213,7 @@ export class PieceTable extends ListTable<PieceRow> {
       title="${lists.quarterTurn} (R)"
       @click=${() => turnPiece(this.workbench, piece)}
     >
-      ${icon.quarterTurn} 90°
+      ${icon.quarterTurn}
     </button>`;
   }
 

@@ -80,7 +80,18 @@ export class WipeHandle extends WorkbenchElement {
       input:focus-visible::-moz-range-thumb {
         ${focusedThumb}
       }
-      span {
+      .mark {
+        position: absolute;
+        left: var(--at);
+        top: 50%;
+        translate: -50% -50%;
+        color: var(--sw-soft);
+      }
+      .mark::before {
+        content: '↔' / '';
+      }
+      .before,
+      .after {
         position: absolute;
         bottom: var(--sw-space-2);
         padding: 0 var(--sw-space-2);
@@ -94,8 +105,11 @@ export class WipeHandle extends WorkbenchElement {
       .after {
         left: calc(var(--at) + var(--sw-space-2));
       }
-      :host([bare]) span {
+      :host([bare]) :is(.before, .after) {
         display: none;
+      }
+      :host([bare]) .mark {
+        top: calc(100% - 1rem);
       }
       :host([bare]) input {
         top: auto;
@@ -126,6 +140,7 @@ export class WipeHandle extends WorkbenchElement {
           this.dispatchEvent(new CustomEvent('input', {detail}));
         }}
       />
+      <div class="mark"></div>
     `;
   }
 }

@@ -91,9 +91,9 @@ export class Headline extends WorkbenchElement {
     }
     return html`
       ${this.#verdict(result)}
-      <sw-better-match .workbench=${this.workbench}></sw-better-match>
       <sw-remedies .workbench=${this.workbench} .samples=${this.samples}></sw-remedies>
       ${this.#details(result)} ${this.#notes(result)}
+      <sw-better-match .workbench=${this.workbench}></sw-better-match>
     `;
   }
 

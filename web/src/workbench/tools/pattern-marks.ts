@@ -45,6 +45,7 @@ export function overlayOf(
     ...(pointed?.kind === 'piece' && {hoverPiece: pointed.piece}),
     ...(selected?.kind === 'piece' && {selectPiece: selected.piece}),
     cursors: cursorsOf(scene, cursor),
+    allPairs: isChoosing,
     signs: signsOf(scene, workbench.history.design?.options),
     ...marks,
     lines: [...foldsOf(scene, workbench.sheet.scenes?.marks), ...(marks.lines ?? [])],
