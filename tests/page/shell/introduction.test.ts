@@ -16,6 +16,20 @@ const phone = {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: tr
 
 const ways = (page: Page) => page.getByRole('group', {name: 'Start', exact: true});
 
+/** Sum of the layout shifts since the page was opened. */
+const shifts = (page: Page): Promise<number> =>
+  page.evaluate(async () => {
+    const found: PerformanceEntry[] = [];
+    const observer = new PerformanceObserver((list) => found.push(...list.getEntries()));
+    observer.observe({type: 'layout-shift', buffered: true});
+    for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
+    found.push(...observer.takeRecords());
+    return found.reduce(
+      (sum, entry) => sum + (entry as PerformanceEntry & {value: number}).value,
+      0,
+    );
+  });
+
 it('shows the garment in its print without the solver, and does not load the drape', async () => {
   const page = await openPage({isFirst: true, query: 'samples.json', maySay: /404/}); // a file of the same host
   const asked: string[] = [];
@@ -39,6 +53,7 @@ it('begins with a symmetric garment and three ways, which go with the first acti
   expect(askedSymmetries(design).map(({kind}) => kind)).toEqual(expect.arrayContaining(['pair']));
   for (const name of [/^My pattern:/, /^My fabric:/, /^A sample:/])
     await expect.poll(() => ways(page).getByRole('button', {name}).count()).toBe(1);
+  expect(await shifts(page)).toBe(0);
   await printRadio(page, 'pmm').press('Space');
   await expect.poll(() => ways(page).count()).toBe(0);
   const later = await openPage({beside: page, isFirst: true});

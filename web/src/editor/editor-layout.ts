@@ -255,6 +255,9 @@ export const editorLayout = css`
     sw-lens {
       order: 1;
     }
+    sw-seam-table {
+      min-height: 14rem; /* as sw-headline */
+    }
     .setup > * {
       order: 2;
     }

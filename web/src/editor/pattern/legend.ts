@@ -74,11 +74,7 @@ export class Legend extends WorkbenchElement {
     return html`
       <span>${legend.title}</span>
       ${scale === 'paper' ? this.#ramp() : this.#steps()}
-      ${
-        scene?.seams.some(({counts, isQuiet}) => !counts || isQuiet)
-          ? html`<span class="dotted">${legend.notCounted}</span>`
-          : nothing
-      }
+      <span class="dotted">${legend.notCounted}</span>
       ${scene?.kept ? html`<span class="kept">${this.texts.keep.kept}</span>` : nothing}
     `;
   }
