@@ -204,9 +204,11 @@ describe('folded fabric', () => {
 
   it('names the piece and the reason of an impossible layout', async () => {
     const narrow = {...usual, widthCm: 30};
-    await expect(
-      marker([resultOf(print, [rectangle('front', 30, 40)])], narrow),
-    ).rejects.toMatchObject({code: 'options', piece: 0, reason: 'layTooWide'});
+    const wide = rectangle('front', 30, 40);
+    const fault = {code: 'options', piece: 0, reason: 'layTooWide'};
+    const failure = marker([resultOf(print, [wide])], narrow);
+    const lengthCm = expect.closeTo(34, 1) as number; // with two selvedges of 1 cm
+    await expect(failure).rejects.toMatchObject({...fault, lengthCm});
   });
 });
 

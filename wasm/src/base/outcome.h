@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace seamwise {
@@ -52,6 +53,11 @@ struct Error {
   int seam = -1;   ///< stitch number in the garment file, -1: none
   /// Code of the note (pattern/note.h) with the reason why a symmetry cannot hold, or empty.
   const char* reason = "";
+  /// A length in the message: what a garment lacks at a girth, or the least width of fabric. 0:
+  /// none. [cm]
+  double length = 0;
+  std::string_view measure;  ///< measurement of the body where a garment is too small, if known
+  std::string_view fits;     ///< largest size that fits where a garment is too small, if any
 };
 
 /// A value, or the error that prevented it. A std::variant would add at least 0.5 kB to a module,

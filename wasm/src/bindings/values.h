@@ -21,6 +21,9 @@ inline val failureValue(const std::optional<Error>& error) {
   failure.set("piece", error->piece);
   failure.set("seam", error->seam);
   failure.set("reason", error->reason);
+  failure.set("length", error->length);
+  failure.set("measure", std::string(error->measure));
+  failure.set("fits", std::string(error->fits));
   return failure;
 }
 

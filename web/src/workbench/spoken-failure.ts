@@ -9,21 +9,20 @@ import type {Workbench} from './workbench.js';
 export const symmetryReason = ({notes}: Texts, code: string | undefined): string | undefined =>
   Object.entries(notes.why).find(([name]) => name === code)?.[1];
 
-/** Least width of the fabric, which the core writes at the end of a message. [cm] */
-const leastWidth = / at least ([\d.]+) cm wide\.$/;
-
 /** Message for pieces that cannot be laid; undefined for another reason. */
 function spokenLay(
-  {reason, message}: Failure,
+  {reason, lengthCm}: Failure,
   label: string,
   {failures}: Texts,
   format: Format,
 ): string | undefined {
-  const needed = Number(leastWidth.exec(message)?.[1] ?? NaN);
   const known = layReasons.find((one) => one === reason);
   if (!known) return undefined;
   const words = failures.lay[known](label);
-  return Number.isFinite(needed) ? `${words} ${failures.atLeast(format.length(needed))}` : words;
+  if (lengthCm === undefined) return words;
+  // rounded up, so that fabric of that width is wide enough
+  const needed = Math.ceil(10 * lengthCm - 1e-4) / 10;
+  return `${words} ${failures.atLeast(format.length(needed))}`;
 }
 
 /**

@@ -144,6 +144,15 @@ export interface Failure {
   readonly seam: number | null;
   /** Reason within the code, if the core gives one. */
   readonly reason?: FailureReason;
+  /**
+   * A length in the message: what a garment lacks at a girth (`drapeTooSmall`), or the least width of
+   * the fabric (`layTooWide`, `layNowhere`). [cm]
+   */
+  readonly lengthCm?: number;
+  /** Measurement of the body where a garment is too small. */
+  readonly measure?: string;
+  /** The largest size of the form that such a garment fits. */
+  readonly fits?: string;
 }
 
 /** The only kind of error for input that cannot be used. */
@@ -153,6 +162,9 @@ export class SolverError extends Error implements Failure {
   readonly piece: number | null;
   readonly seam: number | null;
   declare readonly reason?: FailureReason;
+  declare readonly lengthCm?: number;
+  declare readonly measure?: string;
+  declare readonly fits?: string;
 
   constructor(
     failure: Pick<Failure, 'code' | 'message'> & Partial<Failure>,
@@ -162,15 +174,25 @@ export class SolverError extends Error implements Failure {
     this.code = failure.code;
     this.piece = failure.piece ?? null;
     this.seam = failure.seam ?? null;
-    if (failure.reason) this.reason = failure.reason;
+    Object.assign(this, detailsOf(failure));
   }
 }
 
-/** The failure of an error as plain data. */
-export const failureOf = ({code, message, piece, seam, reason}: SolverError): Failure => ({
-  ...{code, message, piece, seam},
+type Details = Pick<Failure, 'reason' | 'lengthCm' | 'measure' | 'fits'>;
+
+/** The parts that not every failure has, without those that are missing. */
+const detailsOf = ({reason, lengthCm, measure, fits}: Details): Details => ({
   ...(reason && {reason}),
+  ...(lengthCm !== undefined && {lengthCm}),
+  ...(measure && {measure}),
+  ...(fits && {fits}),
 });
+
+/** The failure of an error as plain data. */
+export const failureOf = (error: SolverError): Failure => {
+  const {code, message, piece, seam} = error;
+  return {...{code, message, piece, seam}, ...detailsOf(error)};
+};
 
 /** Name of a failure number from the core; `internal` for an unknown number. */
 export function failureCode(number: number): FailureCode {

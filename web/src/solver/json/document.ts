@@ -215,7 +215,8 @@ export function valueOf({document, failure}: ModuleDocument): unknown {
   return documentValue(document);
 }
 
-export function toError({code, message, piece, seam, reason}: ModuleFailure): SolverError {
+export function toError(failure: ModuleFailure): SolverError {
+  const {code, message, piece, seam, reason, length, measure, fits} = failure;
   const known = [...symmetryReasons, ...photoFaults, ...layReasons, ...drapeReasons];
   const why = known.find((one) => one === reason);
   return new SolverError({
@@ -224,5 +225,8 @@ export function toError({code, message, piece, seam, reason}: ModuleFailure): So
     piece: piece < 0 ? null : piece,
     seam: seam < 0 ? null : seam,
     ...(why && {reason: why}),
+    ...(length > 0 && {lengthCm: length}),
+    ...(measure !== '' && {measure}),
+    ...(fits !== '' && {fits}),
   });
 }
