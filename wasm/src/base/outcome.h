@@ -56,8 +56,10 @@ struct Error {
   /// A length in the message: what a garment lacks at a girth, or the least width of fabric. 0:
   /// none. [cm]
   double length = 0;
-  std::string_view measure;  ///< measurement of the body where a garment is too small, if known
-  std::string_view fits;     ///< largest size that fits where a garment is too small, if any
+  /// Measurement of the body where a garment is too small, if known.
+  std::string_view measure = {};
+  /// Largest size that fits where a garment is too small, if there is one.
+  std::string_view fits = {};
 };
 
 /// A value, or the error that prevented it. A std::variant would add at least 0.5 kB to a module,
