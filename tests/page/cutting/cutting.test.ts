@@ -132,11 +132,19 @@ it('says that the pattern has its own allowances', {tags: ['thorough']}, async (
     .waitFor();
 });
 
-it('forgets what was changed and not saved', async () => {
+it('shows the pieces in their print on the map, and forgets what was changed and not saved', async () => {
   const page = await openPage();
   await squaresShown(page);
   await page.keyboard.press('Control+Shift+S');
-  const hem = dialogOf(page).getByLabel('Hem (cm)');
+  const dialog = dialogOf(page);
+  const inPrint = () => dialog.locator('.map path.print').count();
+  await expect.poll(inPrint).toBe(2);
+  await expect.poll(() => dialog.locator('.map pattern').count()).toBe(2);
+  await dialog.getByText('Pale', {exact: true}).click();
+  await expect.poll(inPrint).toBe(4); // each beneath a layer of white
+  await dialog.getByText('Lines only', {exact: true}).click();
+  await expect.poll(inPrint).toBe(0);
+  const hem = dialog.getByLabel('Hem (cm)');
   await hem.fill('6');
   await hem.press('Enter');
   await page.keyboard.press('Escape');

@@ -109,7 +109,7 @@ class CutDialog extends WorkbenchElement {
   #figure(): TemplateResult {
     const {words, plan, making} = this;
     return html`<figure class=${making === 'plan' ? 'waiting' : ''}>
-      ${plan ? pageMap(plan, plan.pages ? words.map : words.sheetMap) : html`<div></div>`}
+      ${plan ? pageMap(plan, this.choices.ink, plan.pages ? words.map : words.sheetMap) : html`<div></div>`}
       <figcaption role="status">${plan ? this.#caption(plan) : this.#why()}</figcaption>
     </figure>`;
   }

@@ -80,8 +80,17 @@ export const cutStyle = css`
     stroke-width: 1;
     vector-effect: non-scaling-stroke;
   }
-  text {
+  .print {
+    fill-rule: evenodd;
+  }
+  .pieces.bare {
+    fill: none;
+  }
+  .map text {
     fill: var(--sw-soft);
+    stroke: var(--sw-raised); /* over the print */
+    stroke-width: 0.2em;
+    paint-order: stroke;
   }
   figcaption {
     text-align: center;

@@ -1,6 +1,7 @@
 /** Worker that lays out pieces and writes cutting sheets. */
 import {cutSheet} from '../../cutting/lay-sheet.js';
 import type {CutSheet} from '../../cutting/cut-sheet.js';
+import {onPiece, type Alignment} from '../../model/geometry/vectors.js';
 import {asCut} from '../../model/print/as-cut.js';
 import {cutFile} from '../../paper/cut-file.js';
 import {guideCount} from '../../paper/guide-pages.js';
@@ -10,11 +11,22 @@ import {drawnLetters} from '../../workbench/cutting/drawn-letters.js';
 import {serve} from '../worker/serve.js';
 import type {CutPlan, Question} from './cut-job.js';
 
+/** The alignment on the print of a piece that was moved to another place. */
+const after = (place: Alignment, {angle, translation}: Alignment): Alignment => ({
+  angle: place.angle + angle,
+  translation: onPiece(place, translation),
+});
+
 function planOf(sheet: CutSheet, {choices: {file, paper: name, guide}}: Question): CutPlan {
   const {widthCm, heightCm, pieces, ownAllowances} = sheet;
   const paper = file === 'pdf' ? paperOf(name) : undefined;
-  const outlines = pieces.flatMap(({cut}) => cut);
-  const plan = {widthCm, heightCm, outlines, ownAllowances};
+  const plan = {
+    ...{widthCm, heightCm, ownAllowances},
+    pieces: pieces.map(({cut, place, alignment}) => ({
+      cut,
+      ...(alignment && {alignment: after(place, alignment)}),
+    })),
+  };
   if (!paper) return plan;
   const layout = pagesOf(sheet, paper);
   const {pages, widthCm: across, heightCm: up} = layout;

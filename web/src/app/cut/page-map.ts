@@ -1,8 +1,9 @@
 /** Preview of the layout of pages and pieces, before a file is made. */
 import {html, nothing, svg, type TemplateResult} from 'lit';
 
-import type {Point} from '../../model/geometry/vectors.js';
-import type {CutPlan} from './cut-job.js';
+import {paleWhite, type PrintInk} from '../../cutting/print-ink.js';
+import {norm, rotated, type Alignment, type Point} from '../../model/geometry/vectors.js';
+import type {CutPlan, PrintOnMap} from './cut-job.js';
 
 const short = (value: number): string => String(Number(value.toFixed(1)));
 const line = (points: readonly Point[]): string =>
@@ -11,7 +12,9 @@ const line = (points: readonly Point[]): string =>
 /** Margin around all pages. [share of the longer side] */
 const rim = 0.01;
 
-export function pageMap({widthCm, heightCm, outlines, pages}: CutPlan, label: string) {
+/** @param ink  how the pieces show their print */
+export function pageMap(plan: CutPlan, ink: PrintInk, label: string) {
+  const {widthCm, heightCm, pieces, print, pages} = plan;
   const boxes = pages?.boxes ?? [{low: [0, 0] as const, high: [widthCm, heightCm] as const}];
   const left = Math.min(...boxes.map(({low}) => low[0]));
   const right = Math.max(...boxes.map(({high}) => high[0]));
@@ -25,9 +28,45 @@ export function pageMap({widthCm, heightCm, outlines, pages}: CutPlan, label: st
         svg`<rect class="page" x=${short(box.low[0])} y=${short(-box.high[1])}
           width=${short(box.high[0] - box.low[0])} height=${short(box.high[1] - box.low[1])}></rect>`,
     )}
-    <path class="pieces" d=${outlines.map(line).join('')}></path>
+    ${ink === 'outline' || !print ? nothing : pieces.map((piece, k) => inPrint(piece, k, print, ink))}
+    <path
+      class="pieces ${ink === 'outline' || print ? 'bare' : ''}"
+      d=${pieces.map(pathOf).join('')}
+    ></path>
     ${boxes.length < 2 ? nothing : (pages?.boxes ?? []).map(nameOn)}
   </svg>`;
+}
+
+type MappedPiece = CutPlan['pieces'][number];
+
+const pathOf = ({cut}: MappedPiece): string => cut.map(line).join('');
+
+/** A piece, filled with its print. */
+function inPrint(
+  piece: MappedPiece,
+  number: number,
+  print: PrintOnMap,
+  ink: PrintInk,
+): TemplateResult | typeof nothing {
+  const {alignment} = piece;
+  if (!alignment) return nothing;
+  const [wide, high] = print.cell.map(norm);
+  const id = `print-${number}`;
+  const path = pathOf(piece);
+  return svg`<pattern id=${id} patternUnits="userSpaceOnUse" width=${wide} height=${high}
+      patternTransform=${onMap(print, alignment)}>
+      <image href=${print.picture} width=${wide} height=${high} preserveAspectRatio="none"></image>
+    </pattern>
+    <path class="print" d=${path} fill="url(#${id})"></path>
+    ${ink === 'pale' ? svg`<path class="print" d=${path} fill="#fff" fill-opacity=${paleWhite}></path>` : nothing}`;
+}
+
+/** The map from the picture, whose y runs down, to the map of pages. */
+function onMap({cell: [across, up]}: PrintOnMap, {angle, translation}: Alignment): string {
+  const [a, b] = [across, up].map((side) => rotated(side, angle).map((v) => v / norm(side)));
+  const [[ax = 0, ay = 0], [bx = 0, by = 0]] = [a ?? [], b ?? []];
+  const matrix = [ax, -ay, -bx, by, translation[0], -translation[1]];
+  return `matrix(${matrix.map((value) => value.toFixed(6)).join(' ')})`;
 }
 
 /** Page name in the upper left corner, at the same place as on paper. */
