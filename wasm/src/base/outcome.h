@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 namespace seamwise {
@@ -57,9 +56,9 @@ struct Error {
   /// none. [cm]
   double length = 0;
   /// Measurement of the body where a garment is too small, if known.
-  std::string_view measure = {};
+  const char* measure = "";
   /// Largest size that fits where a garment is too small, if there is one.
-  std::string_view fits = {};
+  const char* fits = "";
 };
 
 /// A value, or the error that prevented it. A std::variant would add at least 0.5 kB to a module,

@@ -22,8 +22,8 @@ inline val failureValue(const std::optional<Error>& error) {
   failure.set("seam", error->seam);
   failure.set("reason", error->reason);
   failure.set("length", error->length);
-  failure.set("measure", std::string(error->measure));
-  failure.set("fits", std::string(error->fits));
+  failure.set("measure", error->measure);
+  failure.set("fits", error->fits);
   return failure;
 }
 

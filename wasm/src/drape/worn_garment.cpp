@@ -250,8 +250,9 @@ std::optional<Error> WornGarment::refusal() const {
                                                (girth ? spoken(*girth) : std::string()));
     if (!girth) return error;
     error.length = girth->missing;
-    error.measure = girth->measure->spoken;
-    if (girth->fits) error.fits = girth->fits->name;
+    // both are literals, which end with a zero
+    error.measure = girth->measure->spoken.data();
+    if (girth->fits) error.fits = girth->fits->name.data();
     return error;
   }
   std::size_t triangles = 0;
