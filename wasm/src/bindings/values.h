@@ -21,9 +21,6 @@ inline val failureValue(const std::optional<Error>& error) {
   failure.set("piece", error->piece);
   failure.set("seam", error->seam);
   failure.set("reason", error->reason);
-  failure.set("length", error->length);
-  failure.set("measure", error->measure);
-  failure.set("fits", error->fits);
   return failure;
 }
 

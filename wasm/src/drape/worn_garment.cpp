@@ -246,14 +246,8 @@ std::optional<Error> WornGarment::refusal() const {
   const DrapeCheck& check = drape_->check();
   if (check.worn > kMostTension + drape_->fabric().stiff_from || check.depth > kMostDepth) {
     const std::optional<MissingGirth> girth = missingGirth(garment_.garment, asCut(), form_);
-    Error error = refused("drapeTooSmall", "The garment is too small for its form" +
-                                               (girth ? spoken(*girth) : std::string()));
-    if (!girth) return error;
-    error.length = girth->missing;
-    // both are literals, which end with a zero
-    error.measure = girth->measure->spoken.data();
-    if (girth->fits) error.fits = girth->fits->name.data();
-    return error;
+    return refused("drapeTooSmall", "The garment is too small for its form" +
+                                        (girth ? spoken(*girth) : std::string()));
   }
   std::size_t triangles = 0;
   for (const Piece& piece : levels_.fine.pattern.pieces) triangles += piece.triangles.size();

@@ -17,11 +17,11 @@ std::string centimetres(double length) { return fixed(length, 1) + " cm"; }
 /// A length rounded up, so that fabric of that width is wide enough.
 std::string atLeast(double length) { return centimetres(std::ceil(10 * length - 1e-4) / 10); }
 
-/// An error about a piece, by its index in the problem. Its reason is part of the API.
-/// @param width  least width of the fabric, if another width would do [cm]
+/// An error about a piece, by its index in the problem. Its reason is part of the API. The page
+/// reads the least width of the fabric from the end of the message.
 Error about(std::size_t piece, const char* reason, std::string message, double width = 0) {
   if (width > 0) message += "; the fabric has to be at least " + atLeast(width) + " wide";
-  return {Failure::kOptions, message + ".", static_cast<int>(piece), -1, reason, width};
+  return {Failure::kOptions, message + ".", static_cast<int>(piece), -1, reason};
 }
 
 }  // namespace

@@ -19,10 +19,7 @@ function spokenLay(
   const known = layReasons.find((one) => one === reason);
   if (!known) return undefined;
   const words = failures.lay[known](label);
-  if (lengthCm === undefined) return words;
-  // rounded up, so that fabric of that width is wide enough
-  const needed = Math.ceil(10 * lengthCm - 1e-4) / 10;
-  return `${words} ${failures.atLeast(format.length(needed))}`;
+  return lengthCm === undefined ? words : `${words} ${failures.atLeast(format.length(lengthCm))}`;
 }
 
 /**

@@ -17,7 +17,7 @@ describe('a garment that is too tight to drape', () => {
     await loadTexts(language);
     const words = drapeTexts(language);
     const format = formatFor(language, 'cm');
-    const failure = tooSmall({lengthCm: 3.4, measure: 'upper arm', fits: 'xs'});
+    const failure = tooSmall({lengthCm: 3.4, measure: 'upper arm', fits: 'XS'});
     expect(tightnessOf(failure, words, format)).toEqual({
       sentence: words.tooTight(format.length(3.4), words.at['upper arm']),
       fits: 'XS',

@@ -12,6 +12,7 @@ import {
   photoFaults,
   SolverError,
   symmetryReasons,
+  type Failure,
 } from '../../model/base/failure.js';
 import type {ModuleDocument} from '../module/seamwise.mjs';
 
@@ -215,8 +216,22 @@ export function valueOf({document, failure}: ModuleDocument): unknown {
   return documentValue(document);
 }
 
+/** What a garment lacks [cm], where, and the size that it fits, at the end of the core's message. */
+const missingGirth = / by ([\d.]+) cm at the ([a-z ]+?)(?: \(it fits size ([A-Z]+)\))?:/;
+/** Least width of the fabric at the end of the core's message. [cm] */
+const leastWidth = / at least ([\d.]+) cm wide\.$/;
+
+/** Reads figures from a message: fields for them would make the modules larger. */
+function figuresOf(message: string): Pick<Failure, 'lengthCm' | 'measure' | 'fits'> {
+  const [, width] = leastWidth.exec(message) ?? [];
+  if (width !== undefined) return {lengthCm: Number(width)};
+  const [, lacking, measure, fits] = missingGirth.exec(message) ?? [];
+  if (lacking === undefined || measure === undefined) return {};
+  return {lengthCm: Number(lacking), measure, ...(fits !== undefined && {fits})};
+}
+
 export function toError(failure: ModuleFailure): SolverError {
-  const {code, message, piece, seam, reason, length, measure, fits} = failure;
+  const {code, message, piece, seam, reason} = failure;
   const known = [...symmetryReasons, ...photoFaults, ...layReasons, ...drapeReasons];
   const why = known.find((one) => one === reason);
   return new SolverError({
@@ -225,8 +240,6 @@ export function toError(failure: ModuleFailure): SolverError {
     piece: piece < 0 ? null : piece,
     seam: seam < 0 ? null : seam,
     ...(why && {reason: why}),
-    ...(length > 0 && {lengthCm: length}),
-    ...(measure !== '' && {measure}),
-    ...(fits !== '' && {fits}),
+    ...figuresOf(message),
   });
 }

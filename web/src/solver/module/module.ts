@@ -13,11 +13,6 @@ export interface ModuleFailure {
   readonly seam: number;
   /** Reason as a code (`Failure.reason`), or empty. */
   readonly reason: string;
-  /** `Failure.lengthCm`, or 0. */
-  readonly length: number;
-  /** `Failure.measure` and `Failure.fits`, or empty. */
-  readonly measure: string;
-  readonly fits: string;
 }
 
 /** Limits of a module for documents. */

@@ -21,6 +21,6 @@ export function tightnessOf(
   if (place === undefined) return undefined;
   return {
     sentence: tooTight(format.length(lengthCm), place),
-    fits: formSizes.find((one) => one === fits?.toUpperCase()),
+    fits: formSizes.find((one) => one === fits),
   };
 }
