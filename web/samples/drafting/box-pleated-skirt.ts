@@ -1,18 +1,15 @@
 /**
  * A straight skirt with an inverted box pleat in the middle of each of its four panels: front, back
- * and sides. The side seams are shaped over the hip, so that the pleats hang closed. Origin of each
- * panel: the middle of its waist. Its edges end at the lines of the pleat, whose fabric is sewn to
- * nothing.
+ * and sides. The pleats open from the waistband down. Origin of each panel: the middle of its
+ * waist. Its edges end at the lines of the pleat, whose fabric is sewn to nothing.
  */
 import {plus, type Point} from '../../src/model/geometry/vectors.js';
 import {radiusOf, type Body} from './body.js';
-import {line, mirrored, moved, reversed, type Curve} from './curves.js';
+import {line} from './curves.js';
 import {edge, onBothSides, pleatBetween, type Garment, type Panel, type Side} from './panel.js';
-import {aroundHip, hipSeam, strip} from './skirt-lines.js';
+import {aroundHip, strip} from './skirt-lines.js';
 
-/** More than without pleats, whose three layers are inside the band. */
-const waistEase = 3;
-const hipEase = 4;
+const waistEase = 2;
 const bandHeight = 4;
 const drop = 56;
 /** Fabric in a pleat: two repeats of most prints, within the solver's greatest change. */
@@ -20,15 +17,6 @@ const uptake = 20;
 
 /** Length of half a panel's waist with its pleat closed. */
 const halfWaist = (body: Body): number => (body.waist + waistEase) / 8;
-
-/** An edge of a side seam, upwards to the waist at the origin, for the fabric at its -x side. */
-const sideSeam = (body: Body): Curve =>
-  hipSeam({
-    atHip: (body.hip + hipEase - body.waist - waistEase) / 8,
-    hipDepth: body.hipDepth - bandHeight,
-    flare: 0,
-    drop,
-  });
 
 /** @param ends names of the halves at -x and at +x */
 function skirtPanel(
@@ -40,24 +28,22 @@ function skirtPanel(
   const [low, high] = ends;
   const half = halfWaist(body);
   const far = uptake / 2 + half;
-  const parts = (edgeName: string, side: number): readonly (readonly [string, number])[] => [
-    [`${edgeName} ${low}`, side],
+  const parts = (edgeName: string): readonly (readonly [string, number])[] => [
+    [`${edgeName} ${low}`, half],
     [`${edgeName} pleat`, uptake],
-    [`${edgeName} ${high}`, side],
+    [`${edgeName} ${high}`, half],
   ];
-  const waist = strip([-far, 0], parts('waist', half)).map((part) => ({
+  const waist = strip([-far, 0], parts('waist')).map((part) => ({
     ...part,
     curve: line(part.curve.to, part.curve.from),
   }));
-  const seam = moved(sideSeam(body), [far, 0]);
-  const hem = seam.from[0];
   return {
     name,
     edges: [
-      ...strip([-hem, -drop], parts('hem', hem - uptake / 2)),
-      edge(`side ${high}`, seam),
+      ...strip([-far, -drop], parts('hem')),
+      edge(`side ${high}`, line([far, -drop], [far, 0])),
       ...waist.reverse(),
-      edge(`side ${low}`, reversed(mirrored(seam))),
+      edge(`side ${low}`, line([-far, 0], [-far, -drop])),
     ],
     placement: aroundHip(body, angle, {away: 14, height: body.waistHeight - bandHeight}),
     folds: [pleatBetween('inverted', [-uptake / 2, 0], [uptake / 2, 0], drop)],
