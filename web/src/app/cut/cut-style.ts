@@ -69,7 +69,10 @@ export const cutStyle = css`
   }
   .page {
     fill: var(--sw-raised);
-    stroke: var(--sw-strong-line);
+  }
+  .joint {
+    fill: none;
+    stroke: var(--sw-strong-line); /* over the pieces, too */
     stroke-width: 1;
     vector-effect: non-scaling-stroke;
   }

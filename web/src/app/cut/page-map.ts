@@ -3,6 +3,7 @@ import {html, nothing, svg, type TemplateResult} from 'lit';
 
 import {paleWhite, type PrintInk} from '../../cutting/print-ink.js';
 import {norm, rotated, type Alignment, type Point} from '../../model/geometry/vectors.js';
+import type {Box} from '../../model/geometry/polyline.js';
 import type {CutPlan, PrintOnMap} from './cut-job.js';
 
 const short = (value: number): string => String(Number(value.toFixed(1)));
@@ -23,19 +24,20 @@ export function pageMap(plan: CutPlan, ink: PrintInk, label: string) {
   const margin = rim * Math.max(right - left, high - low);
   const view = [left - margin, -high - margin, right - left + 2 * margin, high - low + 2 * margin];
   return html`<svg class="map" viewBox=${view.map(short).join(' ')} role="img" aria-label=${label}>
-    ${boxes.map(
-      (box) =>
-        svg`<rect class="page" x=${short(box.low[0])} y=${short(-box.high[1])}
-          width=${short(box.high[0] - box.low[0])} height=${short(box.high[1] - box.low[1])}></rect>`,
-    )}
+    ${boxes.map((box) => rectangle(box, 'page'))}
     ${ink === 'outline' || !print ? nothing : pieces.map((piece, k) => inPrint(piece, k, print, ink))}
     <path
       class="pieces ${ink === 'outline' || print ? 'bare' : ''}"
       d=${pieces.map(pathOf).join('')}
     ></path>
+    ${boxes.map((box) => rectangle(box, 'joint'))}
     ${boxes.length < 2 ? nothing : (pages?.boxes ?? []).map(nameOn)}
   </svg>`;
 }
+
+const rectangle = ({low, high}: Box, kind: 'page' | 'joint'): TemplateResult =>
+  svg`<rect class=${kind} x=${short(low[0])} y=${short(-high[1])}
+    width=${short(high[0] - low[0])} height=${short(high[1] - low[1])}></rect>`;
 
 type MappedPiece = CutPlan['pieces'][number];
 
