@@ -37,14 +37,17 @@ export async function unlessPassed(name, read, isAnew, work) {
 }
 
 /**
- * The project's files that git tracks or would track, outside of some folders; undefined without git.
+ * The project's files that git tracks or would track, outside of some folders; undefined if it is
+ * in no repository.
  */
 export function projectFiles(...without) {
   const words = ['ls-files', '--cached', '--others', '--exclude-standard', '-z'];
   const {status, stdout} = spawnSync('git', words, {cwd: root, encoding: 'utf8'});
   if (status !== 0) return undefined;
+  const paths = stdout.split('\0');
+  if (!paths.includes('package.json')) return undefined; // ignored by a repository around it
   const isWithin = (path) => !without.some((folder) => path.startsWith(`${folder}/`));
-  return stdout.split('\0').filter((path) => path !== '' && isWithin(path));
+  return paths.filter((path) => path !== '' && isWithin(path));
 }
 
 /** Identifies the contents of files and folders, and the version of Node. */

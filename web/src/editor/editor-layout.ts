@@ -93,7 +93,6 @@ export const editorLayout = css`
     grid-area: pattern;
     display: grid;
     grid-template: auto auto auto minmax(0, 1fr) / minmax(0, 1fr);
-    grid-auto-rows: auto;
     position: relative;
     min-height: 0;
   }

@@ -110,8 +110,7 @@ const interactions = ['pointerdown', 'wheel', 'keydown', 'focusin'] as const;
 
 /**
  * Slots: `start` in the header for the page's name, `actions` and `goal` in the header for
- * commands, `garment` in the left panel for the choice of the garment, and `welcome` over the lower
- * edge of the view.
+ * commands, `garment` in the left panel for the choice of the garment, and `welcome` below the view.
  */
 export class Editor extends WorkbenchElement {
   static override properties = {

@@ -13,9 +13,7 @@ export async function embeddedTile(image: string): Promise<string> {
   return blob.type.startsWith('image/svg') ? blob.text() : dataUrlOf(blob);
 }
 
-/**
- * Draws a tile as PNG of this width and height in pixels; undefined if the browser has no image.
- */
+/** Longest side of such a picture. [px] */
 const mostPixels = 8192;
 
 /**

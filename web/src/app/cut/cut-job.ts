@@ -79,6 +79,7 @@ function asked<Answer>(
 /** Width of the picture of a print on the map. [px] */
 const pictureWidth = 160;
 
+/** Returns undefined if there is no picture that can be drawn; the map then shows the pieces alone. */
 async function printOnMap({print}: CutMaterial): Promise<PrintOnMap | undefined> {
   if (print.tile === undefined) return undefined;
   const cell = imageCell(asCut(print));
@@ -96,7 +97,7 @@ export async function cutPlan(
   const material = await materialOf(workbench, choices);
   const [plan, print] = await Promise.all([
     asked<CutPlan>('plan', material, choices, signal),
-    printOnMap(material),
+    printOnMap(material).catch(() => undefined),
   ]);
   return {...plan, ...(print && {print})};
 }

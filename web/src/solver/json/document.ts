@@ -216,7 +216,7 @@ export function valueOf({document, failure}: ModuleDocument): unknown {
   return documentValue(document);
 }
 
-/** What a garment lacks [cm], where, and the size that it fits, at the end of the core's message. */
+/** Girth [cm], measurement and fitting size in the core's message on a garment that is too small. */
 const missingGirth = / by ([\d.]+) cm at the ([a-z ]+?)(?: \(it fits size ([A-Z]+)\))?:/;
 /** Least width of the fabric at the end of the core's message. [cm] */
 const leastWidth = / at least ([\d.]+) cm wide\.$/;
